@@ -12,7 +12,7 @@ from typing import Any, TypeAlias, get_args
 from derive.algebra.fingerprint import fingerprint
 from derive.derivation import Branch, Derivation, LinearSystem
 from derive.errors import FormulaError, SheetError, SheetErrors
-from derive.expression import Approximate, Expr, Matrix, Number, rebuild
+from derive.expression import ZERO, Approximate, Call, Expr, Matrix, Number, rebuild
 from derive.kinds.linear_systems import unknowns_of
 from derive.kinds.sure import read
 from derive.render.document import Document
@@ -94,7 +94,10 @@ def _same(tree: Expr, written: str) -> Verdict:
 
 
 def _as_digits(expr: Expr) -> Expr:
-    """With rounded numbers as the digits of which they are written."""
+    """With rounded numbers as the digits of which they are written, and Max(0, x) as it is read."""
     if isinstance(expr, Approximate) and isfinite(expr.value):
         return Number(Fraction(repr(float(expr.value))))
+    if isinstance(expr, Call) and expr.function == "max" and expr.arguments[0] == ZERO:
+        inner = _as_digits(expr.arguments[1])
+        return (inner + Call("abs", (inner,))) / 2
     return rebuild(expr, _as_digits)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from derive.algebra.formulas.with_units import measured
-from derive.derivation import Phrase, Said
+from derive.derivation import Phrase, Said, Table
 from derive.expression import PI, Symbol, column, multiply, number
 from derive.given.datum import Datum, vector
 from derive.kinds.path._naming import place_name
 from derive.kinds.problem import Problem
-from derive.mechanics.paths import Arc, Curve, Line, Path
+from derive.mechanics.paths import Arc, Curve, Line, Path, Via
 
 FULL = multiply(number(2), PI)
 
@@ -46,6 +46,14 @@ def _shape(path: Path, problem: Problem) -> Iterator[Datum]:
                 yield Datum(Phrase("range", {"s": Symbol(parameter), "low": low, "high": high}))
         case Arc() as arc:
             yield from _arc(arc)
+        case Via() as via:
+            yield from _via(via)
+
+
+def _via(via: Via) -> Iterator[Datum]:
+    rows = tuple((time, *place) for time, place in zip(via.times, via.places, strict=True))
+    yield Datum(Phrase("via"), table=Table((Symbol("t"), *map(Symbol, "xyz"[: len(rows[0]) - 1])), rows))
+    yield Datum(Phrase(via.ends))
 
 
 def _arc(arc: Arc) -> Iterator[Datum]:

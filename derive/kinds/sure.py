@@ -24,6 +24,7 @@ ROUNDS = (128, 512, 2048)  # bits, more of them until the digits are sure
 DIGITS = 64  # bits that are sure then
 NOTHING = arb(2) ** (-ROUNDS[-1] // 2)  # in the last round what may be zero and is smaller is zero
 ABS = re.compile(r"\bAbs\(")
+MAX = "Max(0, "
 LONGEST = 10**7
 MARGIN = 1e-12  # relative: within it a float and the number are the same
 NO_SLACK = 1e-6  # relative: what rounding may do where one round of floats decides nothing, as at acos(1)
@@ -72,7 +73,21 @@ def rounding(formula: Expr | str, point: Mapping[str, Expr]) -> float:
 @lru_cache(maxsize=4096)
 def read(text: str) -> Expr:
     """A text of the JSON as a tree, by the grammar of sheets. Raises FormulaError."""
-    return parse(ABS.sub("abs(", text), longest=LONGEST)
+    return parse(ABS.sub("abs(", _without_max(text)), longest=LONGEST)
+
+
+def _without_max(text: str) -> str:
+    """With (x + |x|)/2 for Max(0, x), which no author writes."""
+    while (begin := text.rfind(MAX)) >= 0:
+        start = begin + len(MAX)
+        depth = 1
+        end = start
+        while depth:
+            depth += {"(": 1, ")": -1}.get(text[end], 0)
+            end += 1
+        inner = text[start : end - 1]
+        text = f"{text[:begin]}((({inner}) + abs({inner}))/2){text[end:]}"
+    return text
 
 
 def _value(tree: Expr, point: Mapping[str, Expr], domain: type[Balls]) -> arb:

@@ -48,7 +48,17 @@ class Curve:
     between: tuple[Expr, Expr] | None
 
 
-Shape: TypeAlias = Line | Arc | Curve
+@dataclass(frozen=True, slots=True)
+class Via:
+    """Places that are passed at these times, the first and the last its ends, by a cubic spline: at rest at
+    the ends, or without acceleration there where they are natural."""
+
+    places: tuple[Place, ...]
+    times: tuple[Expr, ...]
+    ends: Literal["clamped", "natural"] = "clamped"
+
+
+Shape: TypeAlias = Line | Arc | Curve | Via
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +92,8 @@ class Path:
                 return len(place)
             case Curve(value=value):
                 return len(value.rows)
+            case Via(places=places):
+                return len(places[0])
 
     @property
     def defines(self) -> frozenset[str]:

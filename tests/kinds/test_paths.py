@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
-from scipy.interpolate import make_interp_spline
+from scipy.interpolate import CubicSpline, make_interp_spline
 from scipy.spatial.transform import Rotation
 
 from derive.errors import SheetErrors
@@ -144,6 +145,39 @@ def test_motions_are_derivatives_of_the_place(path: str, timing: str, whole: flo
             now["a"], (p[2] - 2 * p[1] + p[0]) / step**2, atol=1e-3 * max(1, *map(abs, now["a"]))
         )
         assert np.allclose(np.cross([*now["v"], 0][:3], [*now["t"], 0][:3]), 0, atol=1e-9)
+
+
+@pytest.mark.parametrize("ends", ["clamped", "natural"])
+@pytest.mark.parametrize("t", [0.4, 1.0, 2.2, 3.9])
+def test_points_are_passed_by_the_spline_of_scipy(ends: str, t: float, tmp_path: Path) -> None:
+    times, points = [0, 1, 2.5, 4], [[0, 0, 1], [1, -2, 0.3], [3, 1, 0.5], [4, 2, 2]]
+    path = f"{{via: {points}, times: {times}, ends: {ends}}}"
+    found = asked(path, tmp_path, f"  evaluate: {{t: {t}}}")["evaluated"]
+    theirs = CubicSpline(times, points, bc_type=ends)
+    p, v, a = (theirs(t, order) for order in range(3))
+    for name, value in (("p", p), ("v", v), ("a", a), ("t", v / np.linalg.norm(v))):
+        assert np.allclose(found[name], value), name
+    assert found["curvature"] == pytest.approx(np.linalg.norm(np.cross(v, a)) / np.linalg.norm(v) ** 3)
+    parts = [quad(lambda at: np.linalg.norm(theirs(at, 1)), *each)[0] for each in pairwise(times)]
+    assert found["length"] == pytest.approx(sum(parts), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("path", "said"),
+    [
+        ("{via: [[0, 0], [1, 1], [2, 0]], times: [0, 1]}", "2 times for 3 points"),
+        ("{via: [[0, 0], [1, 1]], times: [0, 1]}", "3"),
+        ("{via: [[0, 0], [1, 1, 1], [2, 0]], times: [0, 1, 2]}", "this point has 3 coordinates"),
+        ("{via: [[0, 0], [1, 1], [2, 0]], times: [0, 2, 1]}", "must be later than the one before"),
+        ("{via: [[0, 0], [1, 1], [2, 0]], times: [0, T, 2]}", "this time has no value"),
+        ("{via: [[0, 0], [1, 1], [2, 0]], times: [0, 1, 2], timing: {law: cubic, time: 1}}", "timing"),
+        ("{via: [[0, 0], [1, 1], [2, 0]], times: [0, 1, 2], ends: free}", "natural"),
+    ],
+)
+def test_what_passes_no_points_is_said(path: str, said: str, tmp_path: Path) -> None:
+    with pytest.raises(SheetErrors) as caught:
+        asked(path, tmp_path)
+    assert any(said in error.message + error.hint for error in caught.value.errors), caught.value.errors
 
 
 def test_spong_has_this_cubic(tmp_path: Path) -> None:

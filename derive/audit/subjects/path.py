@@ -13,8 +13,9 @@ from derive.audit.asked import Asked, Holds, Same, Test
 from derive.audit.laws import law
 from derive.audit.points import ROUNDED, Number, Point, Value, agree, shown
 from derive.audit.poses import UNIT, turned
+from derive.audit.splines import spline
 from derive.expression import Expr, free_symbols
-from derive.mechanics.paths import Arc, Curve, Line, Shape
+from derive.mechanics.paths import Arc, Curve, Line, Shape, Via
 
 SHARES = (mpmath.mpf(13) / 100, mpmath.mpf(45) / 100, mpmath.mpf(9) / 10)  # of the whole time
 LETTERS = ("s", "lambda", "sigma", "u")  # of the parameter where the sheet has none
@@ -24,6 +25,9 @@ Between: TypeAlias = tuple[sympy.Expr, sympy.Expr] | None
 
 def path(asked: Asked, point: Point) -> Iterator[Test]:
     """Derivatives, the frame by that of the unit tangent, curvature and length; in time at two moments."""
+    if isinstance(asked.subject.shape, Via):
+        yield from spline(asked, point.in_digits())
+        return
     s = parameter(asked)
     p, between = place(asked, s, point)
     v = p.diff(s)

@@ -39,12 +39,19 @@ def _places(tree: Result, name: str, low: float, high: float) -> tuple[list[floa
 def _path(work: Work, found: Bent) -> Plot:
     along = found.along
     low, high = (scalar_number(work.scalar(each), {}) for each in along.between or ())
-    _, (xs, ys) = _places(work.final(along.p), along.s.name, low, high)
-    ends = ((xs[0], ys[0]), (xs[-1], ys[-1]))
+    return curve_in_the_plane(work.final(along.p), along.s.name, low, high)
+
+
+def curve_in_the_plane(p: Result, name: str, low: float, high: float, marked: Sequence[float] = ()) -> Plot:
+    """The path between two values of its parameter, its ends and what else is `marked` with dots."""
+    _, (xs, ys) = _places(p, name, low, high)
+    ends = [(xs[0], ys[0]), (xs[-1], ys[-1])]
     told = dict(zip(("x_0", "y_0", "x_f", "y_f"), map(short, (*ends[0], *ends[1])), strict=True))
+    rows = p.rows if isinstance(p, Matrix) else ()
+    between = [(number(rows[0][0], {name: at}), number(rows[1][0], {name: at})) for at in marked]
     return Plot(
-        "path", AXES[0], AXES[1], {"": (tuple(xs), tuple(ys))}, points=ends, equal=True,
-        caption=Phrase("drawn-path"), alt=Phrase("seen-path", {**told}),
+        "path", AXES[0], AXES[1], {"": (tuple(xs), tuple(ys))}, points=(*ends, *between), equal=True,
+        caption=Phrase("drawn-points" if marked else "drawn-path"), alt=Phrase("seen-path", {**told}),
     )  # fmt: skip
 
 
@@ -52,8 +59,12 @@ def _motion(work: Work, results: Mapping[str, Result]) -> Panels:
     time = results["time"]
     if not isinstance(time, Expr):
         raise TypeError("a time is a formula")
-    whole = number(time, {})
-    curves = [_places(results[key], T.name, 0.0, whole) for key in "pva"]
+    return over_time((results["p"], results["v"], results["a"]), 0.0, number(time, {}))
+
+
+def over_time(place_and_rates: Sequence[Result], begin: float, whole: float) -> Panels:
+    """Coordinates of the place, sizes of velocity and acceleration."""
+    curves = [_places(each, T.name, begin, whole) for each in place_and_rates]
     at, places = curves[0]
     of_place: dict[Label, tuple[tuple[float, ...], tuple[float, ...]]] = {
         name: (tuple(at), tuple(values)) for name, values in zip(AXES, places, strict=False)

@@ -13,9 +13,10 @@ from derive.kinds.meanings import Names, column_of
 from derive.kinds.path._frenet import E_B, E_N, E_T, KAPPA, Bent
 from derive.kinds.path._length import SIGMA
 from derive.kinds.path._shapes import AXES, E_1, E_2, E_3
+from derive.kinds.path._splines import Solved
 from derive.kinds.problem import Problem
 from derive.mechanics.oracle import exponential
-from derive.mechanics.paths import Arc, Curve, Line, Path
+from derive.mechanics.paths import Arc, Curve, Line, Path, Via
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -67,6 +68,10 @@ def made(path: Path, s: str, at: Point) -> Made:
             places = [entry for (entry,) in typed.rows]
             ends = None if between is None else (number(between[0], at), number(between[1], at))
             return Made(lambda t: np.array([number(part, {**at, s: t}) for part in places]), 1.0, ends)
+        case Via(times=times) as via:
+            spline = Solved(via, at)
+            first, *_, last = (number(time, at) for time in times)
+            return Made(spline.at, last - first, (first, last))
         case Arc() as arc:
             away = value(arc.start) - (value(arc.center) if arc.placed else 0.0)
             return _round(arc, value(arc.center), away, at)

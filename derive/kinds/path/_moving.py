@@ -16,13 +16,14 @@ from derive.kinds.path._length import measured
 from derive.kinds.path._meanings import Made, made, meant
 from derive.kinds.path._motion import Motion, in_motion
 from derive.kinds.path._shapes import along
+from derive.kinds.path._spline import SplineTold, splined
 from derive.kinds.path._timing import T
 from derive.kinds.path._timing_checks import driven
 from derive.kinds.path._told import given_names, shape_told
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.course import Course, at
-from derive.mechanics.paths import Carried, Curve
+from derive.mechanics.paths import Carried, Curve, Via
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -34,13 +35,14 @@ UNTIMED = "how it goes along the path in time is not given: add timing: {law, ti
 class Way(Record):
     """What is said of the path and of the motion along it; names of steps."""
 
-    shape: Phrase
-    typed: bool
+    spline: SplineTold | None = None
+    shape: Phrase | None
+    typed: bool = True
     given: tuple[tuple[Expr, Expr], ...]
     before: tuple[str, ...]
     place: str
     s: Symbol
-    derivatives: tuple[str, ...]
+    derivatives: tuple[str, ...] = ()
     speed: tuple[str, ...] = ()  # where a law needs it
     length: tuple[str, ...] = ()
     motion: Motion | None = None
@@ -96,6 +98,8 @@ def moving(problem: Problem) -> Moving:
     Raises NotDerivable where nothing says how it goes in time.
     """
     path: Carried = problem.subject
+    if isinstance(path.shape, Via):
+        return _through_points(problem)
     typed = isinstance(path.shape, Curve)
     timeless = path.timing is None
     if timeless and not (isinstance(path.shape, Curve) and path.shape.parameter == T.name):
@@ -127,6 +131,17 @@ def _by_the_time(problem: Problem, typed: bool) -> Moving:
     )  # fmt: skip
     by_time = tuple(as_matrix(work.final(name), name.name) for name in (p, v, a))
     return Moving(work, way, (p, v, a), (by_time[0], by_time[1], by_time[2]), track.between)
+
+
+def _through_points(problem: Problem) -> Moving:
+    """By the cubic spline of each coordinate."""
+    spline = splined(problem)
+    work = spline.proved(spline.results())
+    p, *_ = spline.names
+    way = Way(spline=spline.told, shape=None, given=(), before=(), place=p.name, s=T, rates=())
+    by_time = (spline.by_time(0), spline.by_time(1), spline.by_time(2))
+    times = spline.shape.times
+    return Moving(work.knowing({p: by_time[0]}), way, spline.names, by_time, (times[0], times[-1]))
 
 
 def _timed(problem: Problem, found: Bent, typed: bool) -> Moving:

@@ -60,6 +60,7 @@ def along(path: Path, problem: Problem) -> Along:
             return _arc(arc, Work(problem), p, s, L)
         case Curve(value=value, between=between):
             return Along(Work(problem).given(p, value, "place"), p, s, L, between, ())
+    raise TypeError(f"no formula of one parameter: {path.shape!r}")
 
 
 def _line(line: Line, work: Work, p: Symbol, s: Symbol, L: Symbol) -> Along:

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import Derivation, PageFacts, Phrase, Result
+from derive.derivation import Derivation, PageFacts, Phrase, Record, Result
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Relation, Symbol
 from derive.kinds.fields import Evaluation, OptionsModel
@@ -19,15 +19,16 @@ from derive.kinds.path._length import SIGMA, measured
 from derive.kinds.path._meanings import meant
 from derive.kinds.path._motion import Motion, in_motion
 from derive.kinds.path._shapes import along
+from derive.kinds.path._spline import SplineTold, splined
 from derive.kinds.path._timing import T
 from derive.kinds.path._told import given_names, shape_told
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import Here, values_at
+from derive.kinds.values_at import Here, point_of, values_at
 from derive.kinds.work import Work
-from derive.mechanics.paths import Curve, Path
+from derive.mechanics.paths import Curve, Path, Via
 
 TIMED = ("p", "v", "a", "curvature", "t", "n", "b", "s", "time")
-CLAIMED = dict.fromkeys(TIMED, "timed")
+CLAIMED = dict.fromkeys(TIMED, "timed|all-conditions") | {"length": "all-conditions"}
 DIFFERENCES = 1e-6
 LENGTHS = {"steady": "length-steady", "integral": "length-integral", "quadrature": "length-quadrature"}
 
@@ -38,7 +39,9 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
-class Facts(PageFacts):
+class CurveTold(Record):
+    """A path that is one formula of its parameter."""
+
     shape: Phrase
     typed: bool  # whether p is given as such
     given: tuple[tuple[Expr, Expr], ...]  # names of what is given
@@ -56,12 +59,19 @@ class Facts(PageFacts):
     frame: tuple[str, ...]  # steps of e_n and e_b
     length: Phrase | None
     lengths: tuple[str, ...]  # steps
+
+
+class Facts(PageFacts):
+    curve: CurveTold | None = None
+    spline: SplineTold | None = None
     motion: Motion | None = None
     pictures: tuple[str, ...] = ()
 
 
 def claims_of(path: Path, options: Options) -> tuple[str, ...]:
     """The keys of what is claimed; of a motion that too."""
+    if isinstance(path.shape, Via):
+        return ("passes-every-point", "is-smooth", "all-conditions")
     return ("differences", "unit", "frenet", *(("timed",) if path.timing else ()))
 
 
@@ -70,13 +80,16 @@ def derive(path: Path, options: Options, problem: Problem) -> Derivation:
 
     Siciliano et al., section 4.3.1.
     """
+    if isinstance(path.shape, Via):
+        return _through_points(path, options, problem)
     found = bent(along(path, problem))
     long = measured(found)
     work, way = _obeys(long.work, found), found.along
-    facts = _facts(path, found, work, long.way)
+    curve = _curve(path, found, work, long.way)
     symbols = problem.symbols | {way.s.name}
-    work = as_told(work, partial(meant, problem, found), facts.given, "differences", DIFFERENCES, symbols)
-    work = work.law("said", _said(facts, found, work))
+    work = as_told(work, partial(meant, problem, found), curve.given, "differences", DIFFERENCES, symbols)
+    work = work.law("said", _said(curve, found, work))
+    facts = Facts(curve=curve, page_names=_page_names(found))
     results = _results(work, found, (way.p, found.first, found.second), long.way)
     if path.timing is not None:
         moved = in_motion(work, found, path.timing, facts.page_names)
@@ -85,12 +98,41 @@ def derive(path: Path, options: Options, problem: Problem) -> Derivation:
         facts = replace(facts, motion=motion, page_names=moved.on_page)
     pictures = tuple(drawn(work, found, results))
     facts = replace(facts, pictures=tuple(each.name for each in pictures))
+    return _evaluated(work.answer("path", results, facts, plots=pictures), options, problem)
+
+
+def _through_points(path: Path, options: Options, problem: Problem) -> Derivation:
+    """The cubic spline of each coordinate."""
+    spline = splined(problem)
+    results = spline.results()
+    work = spline.proved(results)
+    pictures = tuple(spline.drawn(results))
+    facts = Facts(
+        spline=spline.told, pictures=tuple(each.name for each in pictures), page_names=spline.on_page
+    )
     answer = work.answer("path", results, facts, plots=pictures)
+    if options.evaluate is not None:
+        _require_between(spline.shape, dict(options.evaluate), problem)
+    return _evaluated(answer, options, problem)
+
+
+def _require_between(shape: Via, at: Mapping[str, Expr], problem: Problem) -> None:
+    """Raises NotDerivable for a time before the first point or after the last."""
+    point = point_of({**at, "begin": shape.times[0], "end": shape.times[-1]}, problem.where)
+    if T.name in point and not point["begin"] <= point[T.name] <= point["end"]:
+        raise NotDerivable(
+            f"the motion lasts from t = {point['begin']:.3g} to {point['end']:.3g}", "evaluate"
+        )
+
+
+def _evaluated(answer: Derivation, options: Options, problem: Problem) -> Derivation:
+    """With the numbers at the author's point."""
     if options.evaluate is None:
         return answer
     here = Here.of(dict(options.evaluate), problem.where, problem.style)
     numbers = values_at(answer, here)
-    _require_within(here, numbers)
+    if problem.subject.timing:
+        _require_within(here, numbers)
     return replace(answer, evaluated=numbers)
 
 
@@ -123,7 +165,7 @@ def _obeys(work: Work, found: Bent) -> Work:
     return work
 
 
-def _facts(path: Path, found: Bent, work: Work, way: str) -> Facts:
+def _curve(path: Path, found: Bent, work: Work, way: str) -> CurveTold:
     names = {step.name for step in work.steps}
 
     def those(*steps: Expr) -> tuple[str, ...]:
@@ -140,7 +182,7 @@ def _facts(path: Path, found: Bent, work: Work, way: str) -> Facts:
     ends: dict[str, Any] = {"s": along.s, "low": low, "high": high}
     ends |= {"start": Relation(along.s, "=", low), "end": Relation(along.s, "=", high)}
     about = {**ends, "speed": found.speed, "sigma": SIGMA}
-    return Facts(
+    return CurveTold(
         shape=shape_told(path, along.s),
         typed=isinstance(path.shape, Curve),
         given=given_names(work, found.along),
@@ -157,7 +199,6 @@ def _facts(path: Path, found: Bent, work: Work, way: str) -> Facts:
         frame=those(E_N, E_B) if found.steady or found.flat else those(E_B, E_N),
         length=Phrase(LENGTHS[way], about) if way and lengths else None,
         lengths=lengths,
-        page_names=_page_names(found),
     )
 
 
@@ -173,7 +214,7 @@ def _page_names(found: Bent) -> dict[str, str]:
     return {key: name.name for key, name in {**names, "t": E_T, "n": E_N, "b": E_B}.items()}
 
 
-def _said(facts: Facts, found: Bent, work: Work) -> tuple[bool, ...]:
+def _said(facts: CurveTold, found: Bent, work: Work) -> tuple[bool, ...]:
     """What is said of the parameter and of the curvature."""
     s = found.along.s.name
     squared = (work.value_matrix(found.first).T @ work.value_matrix(found.first))[0, 0]

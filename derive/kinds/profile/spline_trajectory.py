@@ -3,23 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import Literal
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import (
     ZERO,
-    Approximate,
-    Degrees,
     Expr,
-    Matrix,
     Measured,
-    Number,
     Symbol,
     column,
     free_symbols,
@@ -30,6 +23,7 @@ from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._drawn import Drawn, LimitTold
+from derive.kinds.profile._knots import Ends, Knots, plain, read, span_of, system
 from derive.kinds.profile._pieces import Span, branch, joined, times_of
 from derive.kinds.profile._spline_checks import asked, claims
 from derive.kinds.profile._spline_laws import laws
@@ -40,8 +34,6 @@ from derive.mechanics.profile import Journey, Profile, Units
 NEEDS = ("journey", "time")
 USES = frozenset({"start_velocity", "end_velocity", "via"})
 MOST_BY_SYMBOLS = 3  # via points at times that are symbols
-SHORT = 9  # characters of a fraction that is still read
-Ends = Literal["clamped", "natural"]
 CLAIMS = (
     "q-is-continuous", "velocity-is-continuous", "passes-every-point", "all-conditions",
     "velocity-at-the-start|acceleration-at-the-start", "velocity-at-the-end|acceleration-at-the-end",
@@ -55,26 +47,6 @@ class Options(OptionsModel):
 
     ends: Ends = "clamped"
     evaluate: Evaluation = None
-
-
-@dataclass(frozen=True, slots=True)
-class Knots:
-    """The points with their times, what the velocity is where it is given, and the working they are in."""
-
-    times: tuple[Expr, ...]
-    places: tuple[Expr, ...]
-    velocities: tuple[Expr | None, ...]
-    ends: Ends
-    working: Work
-
-    @property
-    def spans(self) -> int:
-        """How many pieces there are."""
-        return len(self.times) - 1
-
-    def scalars(self, trees: Sequence[Expr]) -> list[Scalar]:
-        """Their normal forms in the symbols of the sheet."""
-        return [self.working.scalar(tree) for tree in trees]
 
 
 class Facts(PageFacts):
@@ -100,11 +72,11 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     knots = _knots(journey, profile, options.ends, problem)
     if len(journey.via) > MOST_BY_SYMBOLS and any(free_symbols(problem.final(time)) for time in knots.times):
         raise NotDerivable(f"with more than {MOST_BY_SYMBOLS} via points their times must be numbers")
-    A, b = _system(knots)
+    A, b = system(knots)
     velocities = (A.inverse() @ b).entries
     working = knots.working
     written = tuple(working.readable(v) for v in velocities)
-    spans = tuple(_span(knots, velocities, k) for k in range(knots.spans))
+    spans = tuple(span_of(knots, velocities, k) for k in range(knots.spans))
     drawn = Drawn.of(spans, profile, problem, options.evaluate)
     names: dict[Expr, Expr] = {Symbol(f"v_{k}"): value for k, value in enumerate(written)}
     general = laws(options.ends == "natural", knots.spans)
@@ -133,7 +105,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     )
 
 
-# -- the system ---------------------------------------------------------------------------------------
+# -- the points ---------------------------------------------------------------------------------------
 
 
 def _knots(journey: Journey, profile: Profile, ends: Ends, problem: Problem) -> Knots:
@@ -149,40 +121,6 @@ def _knots(journey: Journey, profile: Profile, ends: Ends, problem: Problem) -> 
     return Knots(times, places, velocities, ends, working)
 
 
-def _system(knots: Knots) -> tuple[ScalarMatrix, ScalarMatrix]:
-    """A v = b: a row for every point, a velocity that is given or an acceleration that is the same on both
-    sides; none at a natural end."""
-    t, q = knots.scalars(knots.times), knots.scalars(knots.places)
-    h = [t[k + 1] - t[k] for k in range(knots.spans)]
-    slope = [(q[k + 1] - q[k]) / h[k] for k in range(knots.spans)]
-    rows, right = [], []
-    last = knots.spans
-    for k, given in enumerate(knots.velocities):
-        row = [Scalar.of(0)] * (last + 1)
-        if given is not None:
-            row[k], value = Scalar.of(1), knots.working.scalar(given)
-        elif k == 0:
-            row[0], row[1], value = Scalar.of(2), Scalar.of(1), slope[0] * 3
-        elif k == last:
-            row[-2], row[-1], value = Scalar.of(1), Scalar.of(2), slope[-1] * 3
-        else:
-            row[k - 1], row[k], row[k + 1] = h[k], (h[k - 1] + h[k]) * 2, h[k - 1]
-            value = (slope[k - 1] * h[k] + slope[k] * h[k - 1]) * 3
-        rows.append(row)
-        right.append(value)
-    return ScalarMatrix.of(rows), ScalarMatrix.column(right)
-
-
-def _span(knots: Knots, velocities: Sequence[Scalar], k: int) -> Span:
-    """The cubic between two points with the velocities there (Craig, section 7.3)."""
-    t, q = knots.scalars(knots.times[k : k + 2]), knots.scalars(knots.places[k : k + 2])
-    h = t[1] - t[0]
-    slope, before, after = (q[1] - q[0]) / h, velocities[k], velocities[k + 1]
-    upper = (slope * 3 - before * 2 - after) / h, (before + after - slope * 2) / (h * h)
-    coefficients = (q[0], before, *upper)
-    return Span(knots.times[k], knots.times[k + 1], tuple(map(knots.working.readable, coefficients)))
-
-
 # -- steps and facts ----------------------------------------------------------------------------------
 
 
@@ -192,29 +130,16 @@ def _steps(
     """The system, its times bare numbers so that every row has the unit of a velocity; and what it gives."""
     unknown = column(Symbol(f"v_{k}") for k in range(knots.spans + 1))
     decimals = knots.working.problem.style.decimals
-    right = column(_read(knots.working.readable(entry), decimals) for entry in b.entries)
-    yield Step("system", (_plain(A, knots) * unknown, Measured(right, rate) if rate else right))
-    shown = column(_read(each, decimals) for each in written)
+    right = column(read(knots.working.readable(entry), decimals) for entry in b.entries)
+    yield Step("system", (plain(A, knots) * unknown, Measured(right, rate) if rate else right))
+    shown = column(read(each, decimals) for each in written)
     yield Step("velocities", (unknown, shown))
-
-
-def _plain(A: ScalarMatrix, knots: Knots) -> Matrix:
-    return Matrix(tuple(tuple(knots.working.problem.readable(entry) for entry in row) for row in A.rows))
-
-
-def _read(expr: Expr, decimals: bool) -> Expr:
-    """A fraction that is too long to be read, rounded; where the author typed decimals, any that does not
-    end. Degrees stay as they are: a rounded number has no unit."""
-    if free_symbols(expr) or isinstance(expr, Degrees):
-        return expr
-    endless = isinstance(expr, Number) and not expr.decimal and expr.value.denominator > 1
-    return Approximate(value_of(expr, {})) if len(text(expr)) > SHORT or (decimals and endless) else expr
 
 
 def _facts(knots: Knots, spans: Sequence[Span], profile: Profile, drawn: Drawn, options: Options) -> Facts:
     c = symbols("c_0 c_1 c_2 c_3")
     rows = tuple(
-        (number(k), s.start, s.end, *(_read(each, drawn.problem.style.decimals) for each in s.coefficients))
+        (number(k), s.start, s.end, *(read(each, drawn.problem.style.decimals) for each in s.coefficients))
         for k, s in enumerate(spans, 1)
     )
     points = tuple(

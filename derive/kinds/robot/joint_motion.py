@@ -14,7 +14,7 @@ from derive.kinds.robot._carried.facts import Facts as Facts
 from derive.kinds.robot._carried.integrated import by_rates
 from derive.kinds.robot._carried.setting import setting_of
 from derive.kinds.robot._units import of_joints, together
-from derive.mechanics.paths import Path
+from derive.mechanics.paths import Path, Via
 from derive.mechanics.robot import Robot
 
 CLAIMED = dict.fromkeys(("t", "q", "qdot", "qddot"), "followed")
@@ -37,6 +37,8 @@ class Options(OptionsModel):
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
     """The keys of what is claimed; of a law of time that too."""
     listed = ("integrated", "as-tabled") if options.method == "inverse-velocity" else ()
+    if isinstance(options.path.shape, Via):
+        return ("all-conditions", "followed", *listed)
     return ("differences", "followed", *listed, *(("timed",) if options.path.timing else ()))
 
 

@@ -12,7 +12,7 @@ from pydantic import Discriminator, Field, Tag
 from derive.errors import SheetError
 from derive.expression import ONE, PI, ZERO, Expr, add, column, free_symbols, multiply, number
 from derive.kinds.fields import Angle, Formula, Length, Name, OptionsModel, Quantity, Time
-from derive.mechanics.paths import Arc, Curve, Line, Path, Place, Shape, Timing
+from derive.mechanics.paths import Arc, Curve, Line, Path, Place, Shape, Timing, Via
 from derive.sheet.faults import NO_FORM, did_you_mean
 from derive.sheet.source import At, Faults, Route
 from derive.sheet.subjects.moves import AxisField
@@ -20,7 +20,7 @@ from derive.sheet.subjects.registry import Known
 
 FORMS = (
     "write line: {from: [..], to: [..]}, circle: {center, radius, axis, start}, helix: {..} "
-    "or function: [..] of s"
+    "function: [..] of s, or via: [[..], ..] with times: [..]"
 )
 CIRCLE, HELIX = ("radius", "axis", "start", "angle"), ("center", "radius", "axis", "start", "turns")
 HARMLESS = frozenset(  # each of them makes the path
@@ -28,6 +28,7 @@ HARMLESS = frozenset(  # each of them makes the path
         "parameter",
         "range",
         "timing",
+        "ends",
         *(f"circle.{each}" for each in CIRCLE),
         *(f"helix.{each}" for each in HELIX),
     }
@@ -110,16 +111,26 @@ class OfFunction(Timed):
     range: tuple[Quantity, Quantity] | None = None
 
 
+class OfVia(OptionsModel):
+    """Points that are passed at `times`, by a cubic spline of each coordinate; its `ends` are at rest, or
+    `natural`, without acceleration."""
+
+    via: Annotated[list[Point], Field(min_length=3, max_length=12)]
+    times: Annotated[list[Time], Field(max_length=12)]
+    ends: Literal["clamped", "natural"] = "clamped"
+
+
 def _form(value: Any) -> str | None:
     keys = value if isinstance(value, dict) else ()
-    return next((f"={form}" for form in ("line", "circle", "helix", "function") if form in keys), None)
+    return next((f"={form}" for form in ("line", "circle", "helix", "function", "via") if form in keys), None)
 
 
 Given: TypeAlias = Annotated[
     Annotated[OfLine, Tag("=line")]
     | Annotated[OfCircle, Tag("=circle")]
     | Annotated[OfHelix, Tag("=helix")]
-    | Annotated[OfFunction, Tag("=function")],
+    | Annotated[OfFunction, Tag("=function")]
+    | Annotated[OfVia, Tag("=via")],
     Discriminator(_form, custom_error_type=NO_FORM, custom_error_message=FORMS),
 ]
 
@@ -128,7 +139,7 @@ def build(given: Given, at: At, known: Known) -> Path:
     """The path. Raises SheetErrors: a line of no length, a start beside the circle, no parameter, a law of
     time that its sizes do not make."""
     shape = _shape(given, at, known)
-    if given.timing is None:
+    if isinstance(given, OfVia) or given.timing is None:
         return Path(shape)
     Faults(_timing_faults(given.timing, shape, at, known)).settle()
     timing = given.timing
@@ -149,6 +160,9 @@ def _shape(given: Given, at: At, known: Known) -> Shape:
         case OfFunction():
             Faults(_function_faults(given, at, known)).settle()
             return Curve(given.parameter, column(given.function), given.range)
+        case OfVia(via=via, times=times, ends=ends):
+            Faults(_via_faults(given, at, known)).settle()
+            return Via(tuple(map(tuple, via)), tuple(times), ends)
     raise TypeError(f"no path: {given!r}")
 
 
@@ -252,6 +266,23 @@ def _function_faults(given: OfFunction, at: At, known: Known) -> Iterator[SheetE
             yield at.fault("the range depends on the parameter", ("range", k))
     if given.range and known.sign(given.range[1] - given.range[0]) in (0, -1):
         yield at.fault("the range ends before it begins", ("range",), "write range: [from, to]")
+
+
+def _via_faults(given: OfVia, at: At, known: Known) -> Iterator[SheetError]:
+    if len(given.times) != len(given.via):
+        fault = f"{len(given.times)} times for {len(given.via)} points"
+        yield at.fault(fault, ("times",), "give each point its time")
+        return
+    for k, point in enumerate(given.via):
+        if len(point) != len(given.via[0]):
+            fault = f"this point has {len(point)} coordinates, the first {len(given.via[0])}"
+            yield at.fault(fault, ("via", k), "give all points as many coordinates")
+    for k, time in enumerate(given.times):
+        later = known.sign(time - given.times[k - 1]) if k else 1
+        if later is None:
+            yield at.fault("this time has no value", ("times", k), "give it one, here or under where:")
+        elif later != 1:
+            yield at.fault("it must be later than the one before", ("times", k))
 
 
 def _timing_faults(timing: GivenTiming, shape: Shape, at: At, known: Known) -> Iterator[SheetError]:

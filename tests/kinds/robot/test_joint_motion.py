@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import sympy
 from scipy.integrate import solve_ivp
+from scipy.interpolate import CubicSpline
 from scipy.optimize import fsolve
 
 from derive.errors import SheetErrors
@@ -88,6 +89,19 @@ def test_rates_give_the_velocity_of_each_law(law: str, speed: Any, tmp_path: Pat
     moved = (tip(q + h * rates, [0.5, 0.4]) - tip(q - h * rates, [0.5, 0.4])) / (2 * h)
     assert np.allclose(moved[:2], np.array([0.3, 0.2]) * speed(0.4), atol=1e-4)
     assert q[1] > 0  # the first of the solutions
+
+
+def test_the_points_of_a_spline_are_passed(tmp_path: Path) -> None:
+    path = "{via: [[0.2, 0.3], [0.4, 0.4], [0.5, 0.3]], times: [0, 1, 2]}"
+    at = joints(question(TWO, path, "", tmp_path)["results"])
+    spline = CubicSpline([0, 1, 2], [[0.2, 0.3], [0.4, 0.4], [0.5, 0.3]], bc_type="clamped")
+    for t in np.linspace(0.05, 1.95, 17):
+        q, rates, rises = map(np.array, at(t))
+        assert np.allclose(tip(q, [0.5, 0.4])[:2], spline(t))
+        h = 1e-5
+        ahead, behind = (tip(q + k * h * rates + h * h / 2 * rises, [0.5, 0.4])[:2] for k in (1, -1))
+        assert np.allclose((ahead - behind) / (2 * h), spline(t, 1), atol=1e-7)
+        assert np.allclose((ahead - 2 * spline(t) + behind) / h**2, spline(t, 2), atol=1e-4)
 
 
 def test_least_rates_integrated_by_scipy(tmp_path: Path) -> None:

@@ -13,11 +13,13 @@ import sympy
 from derive.audit.asked import EVALUATED, Asked, Holds, Test
 from derive.audit.laws import law
 from derive.audit.points import ROUNDED, Number, Point, Value, agree, shown
+from derive.audit.splines import solved
 from derive.audit.subjects.path import parameter, place
 from derive.audit.subjects.robot.arm import Arm
 from derive.audit.subjects.robot.rates import along, nearest
 from derive.audit.subjects.robot.series import Array, values
 from derive.audit.subjects.robot.task import Task
+from derive.mechanics.paths import Via
 
 SHARES = (mpmath.mpf(13) / 100, mpmath.mpf(45) / 100, mpmath.mpf(9) / 10)  # of the whole time
 TRIES, TABLED = 40, 6
@@ -61,6 +63,12 @@ def _moves(arm: Arm, wanted: Sequence[Any], near: mpmath.mpf) -> Iterator[Test]:
 
 def _moments(asked: Asked, point: Point, times: Sequence[Any] = ()) -> Iterator[tuple[Any, ...]]:
     """Points with a time, some of the whole where none are given, and how the path goes and turns then."""
+    if isinstance(asked.subject.shape, Via):
+        found = solved(asked, point)
+        begin, whole = found.times[0], found.times[-1] - found.times[0]
+        for time in times or [begin + whole * share for share in SHARES]:
+            yield point.where(t=time), *(found.at(time, order) for order in range(3))
+        return
     s = parameter(asked)
     p, between = place(asked, s, point)
     v = p.diff(s)
