@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, degrees, radians, sin
+from math import cos, degrees, hypot, radians, sin
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,9 @@ from scipy.optimize import fsolve
 
 from derive.build import derive_all
 from derive.errors import SheetErrors
+from derive.expression import number
+from derive.figures.bars import drawn
+from derive.mechanics.linkages import FourBar, SliderCrank
 from derive.sheet.load import load_sheet
 
 FOUR = "{four-bar: {crank: 40, coupler: 120, rocker: 80, ground: 100}}"
@@ -87,6 +90,22 @@ def test_the_crank_ends_where_bars_lie_in_line(tmp_path: Path, bars: tuple[float
         if each["when"][0].key.startswith("limit"):
             bars_in_line = [abs(abs((a + s * b) * np.exp(1j * each["theta_2"]) - d) - c) for s in (1, -1)]
             assert min(bars_in_line) < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("linkage", "lengths"),
+    [
+        (FourBar(number(40), number(120), number(80), number(100)), [40, 120, 80]),
+        (FourBar(number(3), number(2), number(3), number(1)), [3, 2, 3]),
+        (SliderCrank(number(40), number(120), number(-20)), [40, 120]),
+    ],
+)
+def test_bars_are_drawn_as_long_as_they_are(linkage: FourBar | SliderCrank, lengths: list[float]) -> None:
+    links = [stroke.places for stroke in drawn(linkage).strokes if stroke.role == "link"]
+    sizes = [hypot(b[0] - a[0], b[1] - a[1]) for a, b in links]
+    assert [size / sizes[0] for size in sizes] == pytest.approx([each / lengths[0] for each in lengths])
+    assert links[0][1] == links[1][0]
+    assert len(links) < 3 or links[1][1] == links[2][1]
 
 
 @pytest.mark.parametrize(
