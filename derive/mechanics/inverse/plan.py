@@ -19,6 +19,7 @@ from derive.expression import Symbol
 from derive.mechanics.budget import Budget
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.arm_angle import ArmAngle
+from derive.mechanics.inverse.doubled import doubled
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.known import Knowledge, singles
 from derive.mechanics.inverse.paul import (
@@ -181,7 +182,9 @@ class Search:
             while not known.complete:
                 used = {equation.place for each in steps for equation in equations_of(each.subproblem)}
                 found = stage.next(known, self.budget, used)
-                solved = (found,) if found else quartic(stage, known, self.free_name("u"))
+                solved: Sequence[SubProblem] | None = (found,) if found else None
+                solved = solved or doubled(stage, known, self.free_name("phi"))
+                solved = solved or quartic(stage, known, self.free_name("u"))
                 if solved is None:
                     return Plan(tuple(steps), known, left=tuple(stage.left(known)))
                 for each in solved:

@@ -223,7 +223,7 @@ class _Candidates:
 
     def slide(self) -> Slide | None:
         found = [here for name in self._open_slides() for here in self.slides(name)]
-        return min(found, key=lambda s: len(s.slope.numerator) + len(s.value.numerator), default=None)
+        return min(found, key=_slide_length, default=None)
 
     def slides(self, name: str) -> Iterator[Slide]:
         """The equations in one displacement alone."""
@@ -266,6 +266,11 @@ class _Candidates:
         held = {name for value in values for name in value.generators()}
         forms = sum(1 for form in self.known.forms if held & {f"cos({form})", f"sin({form})"})
         return KNOWN_JOINT * (forms + len(held & self.known.lengths))
+
+
+def _slide_length(found: Slide) -> int:
+    """Short ones first, then what needs no division."""
+    return len(found.slope.numerator) + len(found.value.numerator) + (found.slope.constant is None)
 
 
 def _is_opposite(value: Scalar) -> bool:

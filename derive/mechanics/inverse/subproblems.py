@@ -144,7 +144,28 @@ class Slide:
     equation: Equation
 
 
-SubProblem: TypeAlias = OneEquation | TwoEquations | Elbow | Reach | Slide | Quartic
+@dataclass(frozen=True, slots=True)
+class DoubleAngle:
+    """The product of the `first` pair is `ratio` times that of the `second`: of the known sides, in an angle,
+    as of the others. So a cos 2q + b sin 2q = c, with these `coefficients`; 2q is the unknown."""
+
+    unknown: str
+    angle: Form
+    first: tuple[Coordinate, Coordinate]
+    second: tuple[Coordinate, Coordinate]
+    ratio: Scalar
+    coefficients: tuple[Scalar, Scalar, Scalar]
+
+
+@dataclass(frozen=True, slots=True)
+class HalfAngle:
+    """An angle of which twice is known by a name."""
+
+    unknown: Form
+    double: str
+
+
+SubProblem: TypeAlias = OneEquation | TwoEquations | Elbow | Reach | Slide | Quartic | DoubleAngle | HalfAngle
 
 
 def equations_of(found: SubProblem) -> tuple[Equation, ...]:
@@ -152,8 +173,10 @@ def equations_of(found: SubProblem) -> tuple[Equation, ...]:
     match found:
         case OneEquation(_, row):
             return (row.equation,)
-        case Joined():
+        case Joined() | HalfAngle():
             return ()
+        case DoubleAngle():
+            return tuple(each.equation for each in (*found.first, *found.second))
         case TwoEquations(_, first, second):
             return first.equation, second.equation
         case Quartic():
@@ -172,6 +195,16 @@ def trig_equation(value: Scalar, angle: Form, equation: Equation) -> TrigEquatio
         return None
     a, b, c = found
     return TrigEquation(a, b, -c, equation)
+
+
+def double_angle(value: Scalar, angle: Form) -> tuple[Scalar, Scalar, Scalar] | None:
+    """(a, b, c) where an expression is a cos 2q + b sin 2q - c; None where it is not of that form."""
+    powers = ((2, 0), (1, 1), (0, 2), (0, 0))
+    found = _coefficients(value, (f"cos({angle})", f"sin({angle})"), powers)
+    if found is None or not any(found[:3]):
+        return None
+    cosines, products, sines, rest = found
+    return (cosines - sines) / 2, products / 2, -(rest + (cosines + sines) / 2)
 
 
 def two_equations(angle: Form, one: TrigEquation, other: TrigEquation) -> TwoEquations:

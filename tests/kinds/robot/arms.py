@@ -243,6 +243,11 @@ ARMS = {
          ("theta5*", "0", "0", "-90 deg"), ("theta6*", "0.1", "0", "0")),
         "pose", 8,
     ),
+    "R P R P R R": Arm(  # of Bartell, in the table of IKBT
+        (("theta1*", "l1", "0", "0"), ("0", "d2*", "0", "90 deg"), ("theta3*", "0", "0", "0"),
+         ("0", "d4*", "0", "90 deg"), ("theta5*", "0", "0", "0"), ("theta6*", "0", "0", "90 deg")),
+        "pose", 8, convention="modified",
+    ),
     "UR from its other end": Arm(
         (("theta1*", "0.3", "0", "90 deg"), ("theta2*", "0.1", "0.1", "90 deg"),
          ("theta3*", "0.1", "0.4", "0"), ("theta4*", "0.2", "0.3", "0"),

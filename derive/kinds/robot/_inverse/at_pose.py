@@ -21,7 +21,9 @@ from derive.kinds.robot._inverse.subproblem import Definition, Solved, Taken
 from derive.kinds.robot._inverse.target import Values
 from derive.mechanics.inverse.plan import Planned
 from derive.mechanics.inverse.subproblems import (
+    DoubleAngle,
     Elbow,
+    HalfAngle,
     OneEquation,
     Quartic,
     Reach,
@@ -66,7 +68,9 @@ class InNumbers:
                 return _length(self._numbers(row, known, 2)) < small
             case Slide(_, slope):
                 return abs(scalar_number(slope, known)) < small
-            case Reach() | Quartic():
+            case DoubleAngle(coefficients=(a, b, _)):
+                return math.hypot(scalar_number(a, known), scalar_number(b, known)) < small * self.size**2
+            case Reach() | Quartic() | HalfAngle():
                 return False
 
     def met(self, known: Values, meeting: float) -> float | None:
@@ -74,6 +78,8 @@ class InNumbers:
         match self.planned.subproblem:
             case OneEquation(_, row):
                 a, b, c = self._numbers(row, known)
+            case DoubleAngle(coefficients=coefficients):
+                a, b, c = (scalar_number(each, known) / self.size**2 for each in coefficients)
             case Elbow(_, _, row) as elbow:
                 a, b, c = self._numbers(row, known, 2)
                 squares = [elbow.across] if elbow.across else [c.known * c.known for c in elbow.coordinates]

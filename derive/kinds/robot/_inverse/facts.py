@@ -50,8 +50,9 @@ class Method(Record):
     `unless` must not hold (of a difference and of two opposite directions: not all of them together);
     `vector` is what the unknown turns into the known sides; `factor` has a sign that was chosen before;
     `exists` has to lie between -1 and 1; `bound` has to hold for a real solution; `form` is the equation that
-    is solved, where no step has it. `by_name` says that the angle is a given one, `by_length` that other
-    elements give the size of the other function, `positive` that only one of two lengths counts.
+    is solved, where no step has it; `half` is the angle of which the unknown is twice. `by_name` says that
+    the angle is a given one, `by_length` that other elements give the size of the other function, `positive`
+    that only one of two lengths counts.
     """
 
     name: str
@@ -61,6 +62,7 @@ class Method(Record):
     exists: Expr | None = None
     bound: Relation | None = None
     form: tuple[Expr, Expr] | None = None
+    half: Expr | None = None
     by_name: bool = False
     by_length: bool = False
     positive: bool = False

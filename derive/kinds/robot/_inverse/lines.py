@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 READ = 2  # poses at which is looked where equations are read, and at a singular wrist
+UP_TO_TURNS = ("difference", "twice")  # rules of lines about angles
 SAME = 1e-7  # of the sides of a line, relative to their size
 CHOICES = ("choice", "squared")  # one of which holds
 TURNS = 0.3  # by which joints are moved to find what stays
@@ -76,7 +77,7 @@ class Lines:
         for solved in self.worked.solved:
             turns = solved.unknown not in self.target.slides
             lines = [step for step in solved.steps if step.rule not in CHOICES]
-            yield from (equal(step.chain, known, step.rule == "difference") for step in lines)
+            yield from (equal(step.chain, known, step.rule in UP_TO_TURNS) for step in lines)
             yield equal(line_of(solved, taken).chain, known, turns)
         given = {name: value for name, value in meaning.items() if name not in self.target.joints}
         yield from (equal(step.chain, given, False) for step in self.worked.pose)

@@ -106,16 +106,21 @@ def _both(solving: Solving, angle: Form, trees: Trees, row: TrigEquation) -> Non
     by_sines = _by_sines(progress, row) <= _by_cosines(progress, row)
     x, y = (opposite(b), a) if c == ZERO or by_sines else (a, b)
     if c == ZERO:
-        values = (direction(y, x), direction(opposite(y), opposite(x)))
+        values = opposite_directions(x, y)
         method = Method(name="zero", unless=zero(*dict.fromkeys((unsigned(b), unsigned(a)))))
     else:
-        values = _general(x, y, c, by_sines)
+        values = general(x, y, c, by_sines)
         form = (times(a, cos(q)) + times(b, sin(q)), c) if isinstance(solving.found, Elbow) else None
-        method = Method(name="general", bound=Relation(_short(_squares(x, y)), ">=", square(c)), form=form)
+        method = Method(name="general", bound=Relation(_short(squares_of(x, y)), ">=", square(c)), form=form)
     told = progress.tree(_sided(row, q))
     sides = [_side(progress, q, row, sign) for sign in SIGNS]
     choices = [Choice(v, s, when, told=told) for v, s, when in zip(values, SIGNS, sides, strict=True)]
     solving.solved(q, choices, method)
+
+
+def opposite_directions(x: Expr, y: Expr) -> tuple[Expr, Expr]:
+    """That of a point, and that away from it."""
+    return direction(y, x), direction(opposite(y), opposite(x))
 
 
 def _alone(solving: Solving, angle: Form, trees: Trees, row: TrigEquation, length: Expr | None) -> None:
@@ -181,9 +186,9 @@ def _angle(own: Expr, other: Expr, even: bool) -> Expr:
     return atan2(other, own) if even else atan2(own, other)
 
 
-def _general(x: Expr, y: Expr, c: Expr, by_sines: bool) -> tuple[Expr, Expr]:
+def general(x: Expr, y: Expr, c: Expr, by_sines: bool) -> tuple[Expr, Expr]:
     """By the sine of a difference, as Craig does, or by its cosine."""
-    squares = _squares(x, y)
+    squares = squares_of(x, y)
     whole = isinstance(squares, Number)
     root = sqrt(squares - square(c) if whole else total((square(x), square(y), -square(c))))
     if by_sines:
@@ -195,7 +200,7 @@ def _general(x: Expr, y: Expr, c: Expr, by_sines: bool) -> tuple[Expr, Expr]:
     return plus, less
 
 
-def _squares(x: Expr, y: Expr) -> Expr:
+def squares_of(x: Expr, y: Expr) -> Expr:
     """x^2 + y^2."""
     found = sum_of_squares(y, x)
     return total((square(x), square(y))) if found is None else found

@@ -91,6 +91,8 @@ class Postures:
     def _of(self, solved: Solved) -> Posture | None:
         found = self.worked.plan.steps[solved.number].subproblem
         equations = equations_of(found)
+        if not equations or solved.facts.method.half:
+            return None
         end = End(equations[0].between.last, solved.stage == "arm")
         if solved.stage == "hand":
             return self._wrist(solved)

@@ -33,6 +33,7 @@ BY_ROOT = (
     "squared",
     "choice",
 )
+BY_PRODUCT = ("equation", "squares", "name", "twice", "solved", "choice")
 BY_LENGTH = ("equation", "solved", "name", "choice")  # where the names are other elements
 
 TWO = {  # by the rule, and whether other elements give the size of the other function
@@ -121,13 +122,14 @@ class Solving:
             names=self.by("name"),
             equations=self.by("equation"),
             squares=self.by("squares"),
-            aside=self.by("aside"),
+            aside=(*self.by("aside"), *self.by("twice")),
             solved=self.by("solved"),
             choices=self.by("choice"),
             left=left,
         )
         number = len(progress.solved)
         order = BY_ROOT if method.quartic else BY_LENGTH if method.by_length else ORDER
+        order = BY_PRODUCT if method.half else order
         steps = (*(step for rule in order for step in self.by(rule)), *left)
         solved = Solved(
             number, unknown, head, tuple(choices), steps, facts, self.poses.stage, trig or {},

@@ -11,7 +11,7 @@ from derive.derivation import Step
 from derive.expression import Matrix, Symbol, column, multiply, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL
-from derive.kinds.robot._inverse import lengths, one_equation, quartic, two_equations
+from derive.kinds.robot._inverse import doubled, lengths, one_equation, quartic, two_equations
 from derive.kinds.robot._inverse.compared import Poses
 from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.solving import Solving
@@ -22,7 +22,16 @@ from derive.mechanics.inverse.arm_angle import ArmAngle
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Decoupling, Plan
 from derive.mechanics.inverse.search import Stage
-from derive.mechanics.inverse.subproblems import Elbow, OneEquation, Quartic, Reach, Slide, TwoEquations
+from derive.mechanics.inverse.subproblems import (
+    DoubleAngle,
+    Elbow,
+    HalfAngle,
+    OneEquation,
+    Quartic,
+    Reach,
+    Slide,
+    TwoEquations,
+)
 from derive.mechanics.poses import homogeneous, inverse_pose, rotation_part
 
 
@@ -151,5 +160,9 @@ def write(solving: Solving, stage: Stage) -> None:
             lengths.reach(solving, found)
         case Slide() as found:
             lengths.slide(solving, found)
+        case DoubleAngle() as found:
+            doubled.double(solving, found)
+        case HalfAngle() as found:
+            doubled.half(solving, found)
         case Quartic() as found:
             quartic.write(solving, found)

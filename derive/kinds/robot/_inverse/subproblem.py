@@ -143,6 +143,8 @@ def course(solved: Solved, before: Sequence[Solved], turning: Sequence[str]) -> 
     """How fast each joint goes where the unknown goes by one and what was found `before` stands still."""
     import numpy as np
 
+    if isinstance(solved.facts.method.half, Symbol):
+        return {solved.facts.method.half.name: 0.5}
     if isinstance(solved.unknown, str):
         return {solved.unknown: 1.0}
     forms = [*(each.unknown for each in before if isinstance(each.unknown, Form)), solved.unknown]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from derive.derivation import Step
-from derive.expression import Expr, Matrix, Symbol, atan2, free_symbols
+from derive.expression import Expr, Matrix, Symbol, atan2, free_symbols, number
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.facts import SingularWrist
 from derive.kinds.robot._inverse.subproblem import Definition, Item, Solved
@@ -174,6 +174,9 @@ class Worked:
             cosine, sine = (self.problem.readable(T[k, place]) for k in (first, second))
             found[Symbol(self.goal.angle)] = atan2(sine, cosine)
         found |= {item.name: item.value for item in self.items if isinstance(item, Definition)}
+        found |= {
+            each.head: number(2) * each.facts.method.half for each in self.solved if each.facts.method.half
+        }
         if self.plan.angle:
             sides = self.plan.angle.swing(self.chain)
             found[Symbol(self.plan.angle.psi)] = atan2(*map(self.problem.readable, sides))
