@@ -326,17 +326,12 @@ def _whole(number: str) -> str:
 
 
 def _is_tall(entry: Expr) -> bool:
-    """Whether it is a fraction with much above its line."""
-    top = _numerator(entry)
-    return isinstance(top, Sum) or (isinstance(top, Product) and len(top.factors) > LONG_NUMERATOR)
-
-
-def _numerator(entry: Expr) -> Expr | None:
-    """Of an entry that is a fraction or minus a fraction."""
+    """Whether it is a fraction, or minus a fraction, with much above its line or a sum below it."""
     match entry:
-        case Quotient(top, _) | Product((_, Quotient(top, _))):
-            return top
-    return None
+        case Quotient(top, below) | Product((_, Quotient(top, below))):
+            long = isinstance(top, Product) and len(top.factors) > LONG_NUMERATOR
+            return long or isinstance(top, Sum) or isinstance(below, Sum)
+    return False
 
 
 def _number(value: Fraction, decimal: bool, flat: bool = False) -> tuple[str, int]:
