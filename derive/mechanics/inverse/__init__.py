@@ -6,4 +6,6 @@ for one sub-problem after the other. What is given of the end-effector is a `goa
 solved for one joint variable are the `subproblems`, and `pieper` joins two where none is. Nothing here is
 written down or chosen by an arm's name; that is for `derive/kinds/robot/_inverse`.
 docs/inverse-kinematics.md derives one arm through both folders.
+
+Where there is no plan, `raghavan_roth` finds all solutions at one pose in numbers.
 """

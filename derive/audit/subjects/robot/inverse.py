@@ -35,6 +35,10 @@ def inverse_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
     """Every branch, at some configurations; lengths that slide are drawn positive."""
     if point.exact:
         raise Irrational
+    if "polynomial" in asked.results:
+        yield from at_a_pose(asked)
+        yield from in_numbers(asked, point)
+        return
     robot = asked.subject
     slides = {link.variable: "positive" for link in robot.links if link.joint == "prismatic"}
     for k in range(PLACES):
@@ -141,6 +145,21 @@ def with_roots(asked: Asked, known: Point) -> list[Point]:
     real = [each.real for each in found if is_zero(each.imag, max(1, abs(each.real)))]
     real += [mpmath.inf] if half_turn else []
     return [known.where(**{root.name: each}) for each in real]
+
+
+def at_a_pose(asked: Asked) -> Iterator[Test]:
+    """Solutions that were found in numbers, and the root of the polynomial that each belongs to."""
+    polynomial = asked.result("polynomial")
+    (root,) = polynomial.free_symbols
+    coefficients = [floating(asked.here.at(each)) for each in sympy.Poly(polynomial, root).all_coeffs()]
+    found = mpmath.polyroots(coefficients, maxsteps=500, extraprec=500)
+    real = [each.real for each in found if is_zero(each.imag, 1)]
+    told_roots = {str(entry[root.name]) for entry in asked.objects("evaluated solutions")}
+    for x in map(mpmath.mpf, told_roots):
+        near = any(abs(x - each) < ROUNDED_STEP * max(1, abs(x)) for each in real)
+        yield Holds("polynomial", near, f"{root} = {shown(x)} is no root")
+    yield Holds("polynomial", bool(told_roots) or not real, "it has a root")
+    yield Holds("solutions", len(told_roots) == len(real), f"{len(real)} roots are real")
 
 
 def _is_inside(asked: Asked, here: Point, name: str, value: Number) -> bool:

@@ -148,6 +148,32 @@ class ByAngle(Record):
     solved: tuple[SolvedFacts, ...]
 
 
+class Eliminated(Record):
+    """Of six joints that no formula inverts: `why`; the equation of poses that `cut`s the arm, with three
+    joints on each side; those that are left (`triple`, with the `unknown`), the two and the `last` that
+    are eliminated; the tangent of half the unknown, the polynomial of some `degree` in it, and how many
+    real `roots` that has, several solutions sharing one (`shared`)."""
+
+    why: Phrase
+    cut: Relation
+    triple: tuple[Symbol, ...]
+    pair: tuple[Symbol, ...]
+    last: Symbol
+    others: tuple[Symbol, ...]  # these three
+    unknown: Symbol
+    root: Symbol
+    half: Step
+    polynomial: Step
+    degree: int
+    roots: Phrase
+    shared: Phrase | None
+
+    @property
+    def steps(self) -> tuple[Step, ...]:
+        """In the order of the page."""
+        return self.half, self.polynomial
+
+
 class ElbowTold(Record):
     """One of the two ways to bend it."""
 
@@ -197,6 +223,7 @@ class Facts(PageFacts):
     pose. `held` are joints that are chosen beforehand."""
 
     triangle: Triangle | None = None
+    eliminated: Eliminated | None = None
     held: Phrase | None = None
     given: tuple[Step, ...] = ()
     known: Phrase | None = None

@@ -11,6 +11,7 @@ from derive.derivation import Derivation, Result
 from derive.errors import NotDerivable
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
+from derive.kinds.robot._inverse import at_a_pose
 from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.checks import Tried, as_printed
 from derive.kinds.robot._inverse.choices import Choices, signs_of
@@ -61,8 +62,10 @@ def derive(
     plan = search.by_arm_angle(arm) if arm else search.plan()
     if not plan.complete and problem.subject.by_screws:
         return by_rows("inverse-kinematics", problem, given=given, evaluate=place)
+    if not plan.complete and place and at_a_pose.fits(chain, target, place):
+        return at_a_pose.derive(chain, target, place, problem)
     if not plan.complete:
-        raise NotDerivable(no_closed_form(plan, goal, problem))
+        raise NotDerivable(no_closed_form(plan, goal, problem) + at_a_pose.offered(chain, target))
     worked = Stages(problem, chain, goal, plan, unused).worked()
     solutions = Solutions(worked.items, chain.variables, frozenset(plan.knowledge.slides), problem, unused)
     roots = Roots.of(plan, worked, solutions, target)

@@ -1,0 +1,251 @@
+"""Six revolute joints that no formula inverts: all solutions at one pose, in numbers.
+
+The elimination of Raghavan and Roth leaves a polynomial of the sixteenth degree in the tangent of half an
+angle; its real roots are isolated, and the other angles follow from each.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property, partial
+
+from derive.algebra.numbers.floats import Point
+from derive.derivation import Branch, Derivation, Phrase, Result, Step
+from derive.errors import NotDerivable
+from derive.expression import (
+    ONE,
+    ZERO,
+    Approximate,
+    Call,
+    Expr,
+    Matrix,
+    Product,
+    Relation,
+    Symbol,
+    add,
+    multiply,
+)
+from derive.kinds.fields import Place
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import TOOL
+from derive.kinds.robot._inverse.at_a_pose_checks import Checks
+from derive.kinds.robot._inverse.evaluated import Evaluated, Numbers, in_degrees, with_rotation
+from derive.kinds.robot._inverse.facts import AtPlace, Eliminated, Facts
+from derive.kinds.robot._inverse.ranges import Ranges
+from derive.kinds.robot._inverse.target import Target
+from derive.kinds.values_at import point_of
+from derive.kinds.work import Work
+from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.closed_loop import closed
+from derive.mechanics.inverse.every_solution import EverySolution
+from derive.mechanics.inverse.raghavan_roth import eliminations
+from derive.mechanics.inverse.six_axes import SixAxes
+from derive.names import free
+
+JOINTS = 6
+REACHED = 1e-6
+LARGEST = 1e7  # of a tangent
+
+
+def fits(chain: Chain, target: Target, place: Place | None) -> bool:
+    """Whether it is six joints that turn, each its own row, with a whole pose and a place asked for."""
+    turning = all(joint.type == "revolute" for _, joint in chain.moving)
+    whole = target.goal.whole_position and target.goal.R is not None and target.goal.angle is None
+    return bool(place) and turning and whole and len(chain.variables) == JOINTS and chain.coupling is None
+
+
+def derive(chain: Chain, target: Target, place: Place, problem: Problem) -> Derivation:
+    """All solutions there (Raghavan and Roth 1993). Raises NotDerivable where a name has no value, and where
+    the arm is singular at the pose."""
+    point = dict(point_of(dict(place), problem.where))
+    if missing := sorted((problem.symbols | set(target.goal.names)) - point.keys() - set(chain.variables)):
+        raise NotDerivable(
+            "no formula was found, and for numbers every name needs a value under evaluate; "
+            f"{', '.join(missing)} {'has' if len(missing) == 1 else 'have'} none"
+        )
+    found = _AtPose(problem, chain, target, point)
+    values, solutions = found.evaluated, found.solutions
+    ranges = Ranges.of(problem, place)
+    values = ranges.judged(values)
+    checks = Checks(problem, chain, target, found.told, found.branches, values)
+    work = Work(problem).showing(*found.told.steps)
+    work = work.claim(*checks.claims()).claim(*ranges.claims(values))
+    results: dict[str, Result] = {"solutions": found.branches, "polynomial": found.told.polynomial.result}
+    facts = Facts(
+        eliminated=found.told,
+        at_pose=(found.end, _pose_by_names(target)),
+        feasible=ranges.said,
+        place=values.place.said,
+        labels=tuple(str(k) for k, _ in enumerate(solutions, 1)),
+        numbers=("solutions",) if solutions else (),
+        remark=values.remark,
+        angle_results=chain.variables,
+        style=problem.style,
+        in_degrees=in_degrees(problem, place),
+    )
+    return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
+
+
+@dataclass(frozen=True)
+class _AtPose:
+    """An arm at the pose of a point."""
+
+    problem: Problem
+    chain: Chain
+    target: Target
+    asked: Point
+
+    @cached_property
+    def point(self) -> dict[str, float]:
+        """With the nearest rotation to the one typed."""
+        return with_rotation(dict(self.asked))[0]
+
+    @cached_property
+    def size(self) -> float:
+        """A length of the arm."""
+        return self.target.size(self.point)
+
+    @cached_property
+    def arm(self) -> SixAxes:
+        """In numbers."""
+        return SixAxes.of(self.chain, self.point, self.size)
+
+    @cached_property
+    def every(self) -> EverySolution:
+        """By the first elimination that decides."""
+        import numpy as np
+
+        pose = np.eye(4)
+        for name, (i, j) in self.target.goal.places.items():
+            pose[i, j] = self.point[name]
+        arm = self.arm
+        loop = closed(arm.joints, arm.frames, arm.end, pose, self.size)
+        found = eliminations(loop)
+        for elimination in (*(each for each in found if each.is_whole), *found):
+            every = EverySolution(elimination, arm.joints, partial(arm.sides, pose))
+            if every.decides:
+                return every
+        raise NotDerivable(
+            "no formula was found, and at this pose the elimination does not tell all solutions apart: the "
+            "arm is singular in one of them, or the pose lies specially; turn it a little, or use "
+            "numerical-inverse-kinematics, which finds one of them"
+        )
+
+    @property
+    def solutions(self) -> tuple[dict[str, float], ...]:
+        """The joint angles of each."""
+        return self.every.solutions
+
+    @cached_property
+    def root(self) -> Symbol:
+        """What the tangent of half the angle is called."""
+        return Symbol(free(self.problem.taken | set(self.target.goal.names), "u"))
+
+    @property
+    def branches(self) -> tuple[Branch, ...]:
+        """The numbers as results."""
+        return tuple(
+            Branch({name: Approximate(each[name]) for name in self.chain.variables}, ())
+            for each in self.solutions
+        )
+
+    @cached_property
+    def evaluated(self) -> Evaluated:
+        """The same under `evaluated`, with the root of each."""
+        unknown, root = self.every.elimination.unknown, self.root.name
+        roots = [math.tan(each[unknown] / 2) for each in self.solutions]
+        finite = all(abs(each) < LARGEST for each in roots)  # no number stands for half a turn
+        entries = [
+            {**({root: x} if finite else {}), **{n: each[n] for n in self.chain.variables}, "when": ()}
+            for x, each in zip(roots, self.solutions, strict=True)
+        ]
+        rounding = max(
+            (abs(self.point[name] - self.asked[name]) for name in self.target.goal.names), default=0.0
+        )
+        there = self.target.completed(self.asked)
+        off = max((self.target.deviation(there, each) for each in self.solutions), default=None)
+        return Evaluated(
+            {"solutions": entries},
+            AtPlace(out_of_reach=not entries, rounded=rounding > REACHED),
+            Numbers(self.asked, self.point, self.size, REACHED + 10 * rounding),
+            tuple((k,) for k, _ in enumerate(entries)),
+            off,
+        )
+
+    @cached_property
+    def told(self) -> Eliminated:
+        """For the words."""
+        joints = self.every.elimination.loop.joints
+        pair, triple, last = joints[:2], joints[2:5], joints[5]
+        u, polynomial = self.root, self.every.elimination.polynomial
+        monic = [
+            float(int(each.p) / int(each.q))
+            for each in (polynomial / polynomial[polynomial.degree()]).coeffs()
+        ]
+        powers: dict[int, Expr] = {0: ONE, 1: u}
+        terms = [
+            multiply(Approximate(each), powers.get(n, u**n)) if n < polynomial.degree() else u**n
+            for n, each in reversed([*enumerate(monic)])
+            if each
+        ]
+        half = Step("half", (u, Call("tan", (Symbol(triple[0]) / 2,))), "in-numbers")
+        count = len(self.every.roots)
+        return Eliminated(
+            why=Phrase("no-formula" if not self.arm.has_formulas else "no-formula-found"),
+            cut=self._cut(triple),
+            triple=tuple(map(Symbol, self._ordered(triple))),
+            pair=tuple(map(Symbol, self._ordered(pair))),
+            last=Symbol(last),
+            others=tuple(map(Symbol, self._ordered((*pair, last)))),
+            unknown=Symbol(triple[0]),
+            root=u,
+            half=half,
+            polynomial=Step("polynomial", (ZERO, add(*terms)), "in-numbers"),
+            degree=polynomial.degree(),
+            roots=Phrase({0: "no-real-root", 1: "one-real-root"}.get(count, "real-roots"), {"count": count}),
+            shared=Phrase("shared-roots") if len(self.solutions) > count else None,
+        )
+
+    @property
+    def _last(self) -> str:
+        return TOOL if self.problem.subject.ends_in_tool else str(len(self.chain.joints))
+
+    @property
+    def end(self) -> Symbol:
+        """The pose of the end-effector."""
+        return Symbol(f"T_{self._last}^0")
+
+    def _ordered(self, joints: Sequence[str]) -> list[str]:
+        return sorted(joints, key=self.chain.variables.index)
+
+    def _cut(self, triple: Sequence[str]) -> Relation:
+        """T_b^a of three joints in a row as the others make it."""
+        rows = {joint.variable: i for i, joint in self.chain.moving}
+        names = self.chain.variables
+        places = sorted(names.index(each) for each in triple)
+        if places[-1] - places[0] > 2:  # the three others stand in a row
+            places = sorted(set(range(JOINTS)) - set(places))
+        first, last = rows[names[places[0]]] - 1, rows[names[places[-1]]]
+        end = self._last
+        whole: list[Expr] = [self.end]
+        if first:
+            whole.insert(0, Call("inverse", (Symbol(f"T_{first}^0"),)))
+        if str(last) != end:
+            whole.append(Call("inverse", (Symbol(f"T_{end}^{last}"),)))
+        return Relation(Symbol(f"T_{last}^{first}"), "=", Product(tuple(whole)))
+
+
+def _pose_by_names(target: Target) -> Matrix:
+    """4 by 4: what is given of the end-effector."""
+    names = {place: Symbol(name) for name, place in target.goal.places.items()}
+    last: tuple[Expr, ...] = (ZERO, ZERO, ZERO, ONE)
+    return Matrix((*(tuple(names[i, j] for j in range(4)) for i in range(3)), last))
+
+
+def offered(chain: Chain, target: Target) -> str:
+    """What is said where no place was asked for."""
+    if not fits(chain, target, ((target.joints[0], ZERO),)):
+        return ""
+    return "; with a pose under evaluate all solutions there are found in numbers"
