@@ -83,7 +83,7 @@ def _assemblies(
     asked: Asked, point: Point, rates: tuple[tuple[sympy.Symbol, sympy.Expr], ...]
 ) -> Iterator[Test]:
     there = _place(asked, point)
-    found = [_in_turn(asked, each, there) for each in asked.objects("solutions")]
+    found = [in_turn(asked, each, there) for each in asked.objects("solutions")]
     yield Holds("solutions", all(_closes(asked, each, CLOSE) for each in found), "the loop is open")
     last = _unknown(asked)[-1].name
     apart = abs(mpmath.expj(found[0][last]) - mpmath.expj(found[1][last])) > ROUGH
@@ -109,13 +109,13 @@ def _place(asked: Asked, point: Point) -> Point:
     positive = dict.fromkeys(frozenset().union(*map(free_symbols, sizes)), "positive")
     for k in range(TRIES):
         there = Point(point.seed * TRIES + k, False, (), {**positive, **asked.assumptions})
-        values = [_in_turn(asked, each, there) for each in asked.objects("solutions")]
+        values = [in_turn(asked, each, there) for each in asked.objects("solutions")]
         if all(mpmath.im(each[name.name]) == 0 for each in values for name in _unknown(asked)):
             return there
     raise NotImplementedError("no position was found in which the bars can be joined")
 
 
-def _in_turn(asked: Asked, branch: Mapping[str, Any], there: Point) -> Point:
+def in_turn(asked: Asked, branch: Mapping[str, Any], there: Point) -> Point:
     """The point with the names of a branch, each by those before it; a root of less than nothing is complex,
     and what is made of it is no place."""
     for name, told in branch.items():

@@ -8,11 +8,22 @@ from derive.algebra.formulas.with_units import measured
 from derive.derivation import Phrase
 from derive.expression import ZERO
 from derive.given.datum import Datum
-from derive.mechanics.linkages import FourBar, SliderCrank
+from derive.mechanics.linkages import Delta, FiveBar, FourBar, Linkage, SliderCrank
 
 
-def of_linkage(linkage: FourBar | SliderCrank) -> Iterator[Datum]:
+def of_linkage(linkage: Linkage) -> Iterator[Datum]:
     """Its bars, and the angle of its crank."""
+    if isinstance(linkage, FiveBar):
+        bars = dict(zip(("first", "second"), map(measured, linkage.cranks), strict=True))
+        bars |= dict(zip(("third", "fourth"), map(measured, linkage.couplers), strict=True))
+        yield Datum(
+            Phrase("five-bar", bars | {"ground": measured(linkage.ground)}), words=("crank", "coupler")
+        )
+        return
+    if isinstance(linkage, Delta):
+        sizes = {name: measured(getattr(linkage, name)) for name in ("base", "platform", "arm", "forearm")}
+        yield Datum(Phrase("delta", sizes), words=("platform", "forearm|rod"))
+        return
     if isinstance(linkage, FourBar):
         names, key = ["crank", "coupler", "rocker", "ground"], "four-bar"
         words: tuple[str, ...] = ("four-bar|four bar|quadrilateral", "coupler")

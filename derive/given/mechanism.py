@@ -8,7 +8,7 @@ from derive.derivation import Phrase, Said
 from derive.given.datum import Datum
 from derive.given.linkages import of_linkage
 from derive.kinds.problem import Problem
-from derive.mechanics.linkages import FourBar, SliderCrank
+from derive.mechanics.linkages import Linkage
 from derive.mechanics.mobility import LETTERS, Joints, Mechanism
 
 SORTS = {
@@ -20,7 +20,7 @@ SPACES = {"planar": "plane|planar|linkage", "spatial": "space|spatial", "spheric
 IN_QUESTIONS = True
 
 
-def data(mechanism: Mechanism | FourBar | SliderCrank, problem: Problem) -> Iterator[Datum]:
+def data(mechanism: Mechanism | Linkage, problem: Problem) -> Iterator[Datum]:
     """Its parts."""
     if not isinstance(mechanism, Mechanism):
         yield from of_linkage(mechanism)

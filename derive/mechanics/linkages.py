@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from derive.expression import ZERO, Expr, Symbol
 
@@ -31,3 +32,29 @@ class SliderCrank:
     rod: Expr
     offset: Expr = ZERO
     angle: Expr = INPUT
+
+
+@dataclass(frozen=True, slots=True)
+class FiveBar:
+    """Two cranks turn about the origin and about the point of the x axis at the distance `ground`, with
+    motors at both; two couplers join their ends in one point of the plane (m)."""
+
+    cranks: tuple[Expr, Expr]
+    couplers: tuple[Expr, Expr]
+    ground: Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Delta:
+    """Three arms of length `arm` turn on a base, at its radius `base` and 120 degrees apart, the first in the
+    plane of x and z; forearms of length `forearm`, each a parallelogram, hold a platform at its radius
+    `platform`, which never turns (m). An arm stretched outwards has the angle 0, one that hangs down 90
+    degrees."""
+
+    base: Expr
+    platform: Expr
+    arm: Expr
+    forearm: Expr
+
+
+Linkage: TypeAlias = FourBar | SliderCrank | FiveBar | Delta

@@ -9,6 +9,7 @@ import sympy
 
 from derive.audit.asked import Asked, Same, Test
 from derive.audit.linkages import position, singularities, velocity
+from derive.audit.parallel import inverse_kinematics
 from derive.audit.points import Point
 from derive.mechanics.mobility import Mechanism
 
@@ -74,4 +75,10 @@ def _rank(motions: list[tuple[tuple[int, ...], tuple[int, ...]]]) -> int:
     return int(sympy.Matrix([[*omega, *v] for omega, v in motions]).rank())
 
 
-KINDS = {"mobility": mobility, "position": position, "velocity": velocity, "singularities": singularities}
+KINDS = {
+    "mobility": mobility,
+    "position": position,
+    "velocity": velocity,
+    "singularities": singularities,
+    "inverse-kinematics": inverse_kinematics,
+}

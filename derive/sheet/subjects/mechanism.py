@@ -11,7 +11,7 @@ from derive.algebra.formulas.quantities import rational
 from derive.errors import SheetError
 from derive.expression import ZERO
 from derive.kinds.fields import Angle, Length, OptionsModel
-from derive.mechanics.linkages import INPUT, FourBar, SliderCrank
+from derive.mechanics.linkages import INPUT, Delta, FiveBar, FourBar, Linkage, SliderCrank
 from derive.mechanics.mobility import (
     FREEDOMS,
     LAMBDA,
@@ -26,11 +26,25 @@ from derive.mechanics.mobility import (
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
-LINKAGES = frozenset({"four-bar", "slider-crank"})
+LINKAGES = frozenset({"four-bar", "slider-crank", "five-bar", "delta"})
 HARMLESS = frozenset({"bodies", "joints", "legs", "rods"}) | LINKAGES
 Count: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
-COUNTED = "write {space: planar, bodies: 4, joints: [{revolute: 4}]}"
-MEASURED = "write {four-bar: {...}} or {slider-crank: {crank: r, rod: l}}"
+NOT_WANTED = {
+    "parts": (
+        "bodies and joints are counted here",
+        "write {space: planar, bodies: 4, joints: [...]}",
+    ),
+    "lengths": (
+        "the lengths of the bars are missing",
+        "write {four-bar: {...}} or {slider-crank: {crank: r, rod: l}}",
+    ),
+    "motors": ("this is no robot with several motors", "write {five-bar: {...}} or {delta: {...}}"),
+}
+WANTED: dict[str, tuple[type, ...]] = {
+    "parts": (Mechanism,),
+    "lengths": (FourBar, SliderCrank),
+    "motors": (FiveBar, Delta),
+}
 AS_WRITTEN = "write {revolute: 4}, four revolute joints, or {constraints: 4, count: 2}"
 
 
@@ -82,11 +96,30 @@ class GivenSliderCrank(OptionsModel):
     angle: Angle = INPUT
 
 
+class GivenFiveBar(OptionsModel):
+    """The lengths of two cranks, of the couplers on them, and between the pivots of the cranks."""
+
+    cranks: tuple[Length, Length]
+    couplers: tuple[Length, Length]
+    ground: Length
+
+
+class GivenDelta(OptionsModel):
+    """The radii on which the pivots of the arms and the joints of the platform lie; arms and forearms."""
+
+    base: Length
+    platform: Length
+    arm: Length
+    forearm: Length
+
+
 class GivenLinkage(OptionsModel):
     """A linkage by the lengths of its bars."""
 
     four_bar: GivenFourBar | None = Field(None, alias="four-bar")
     slider_crank: GivenSliderCrank | None = Field(None, alias="slider-crank")
+    five_bar: GivenFiveBar | None = Field(None, alias="five-bar")
+    delta: GivenDelta | None = None
 
 
 class GivenParts(OptionsModel):
@@ -101,7 +134,7 @@ class GivenParts(OptionsModel):
 
 def _form(value: object) -> str:
     keys = value.keys() if isinstance(value, dict) else ()
-    return "=linkage" if any(name in keys for name in ("four-bar", "slider-crank")) else "=parts"
+    return "=linkage" if any(name in keys for name in LINKAGES) else "=parts"
 
 
 Given: TypeAlias = Annotated[
@@ -109,7 +142,7 @@ Given: TypeAlias = Annotated[
 ]
 
 
-def build(given: Given, at: At, known: Known) -> Mechanism | FourBar | SliderCrank:
+def build(given: Given, at: At, known: Known) -> Mechanism | Linkage:
     """The mechanism. Raises SheetErrors: joints of no sort, or that its space does not have; loose bodies;
     bars without a length."""
     if isinstance(given, GivenLinkage):
@@ -123,20 +156,24 @@ def build(given: Given, at: At, known: Known) -> Mechanism | FourBar | SliderCra
     return found
 
 
-def missing(subject: Mechanism | FourBar | SliderCrank, need: str, at: At) -> list[SheetError]:
-    """The fault where a kind needs the "lengths" of bars, or "parts" to be counted, and these are others."""
-    if isinstance(subject, Mechanism) == (need == "parts"):
+def missing(subject: Mechanism | Linkage, need: str, at: At) -> list[SheetError]:
+    """The fault where a kind needs "parts" to be counted, the "lengths" of a linkage with one crank, or a
+    robot with several "motors", and this is another."""
+    if isinstance(subject, WANTED[need]):
         return []
-    if need == "parts":
-        return [at.fault("bodies and joints are counted here", (), COUNTED)]
-    return [at.fault("the lengths of the bars are missing", (), MEASURED)]
+    message, hint = NOT_WANTED[need]
+    return [at.fault(message, (), hint)]
 
 
-def _linkage(given: GivenLinkage, at: At) -> FourBar | SliderCrank:
+def _linkage(given: GivenLinkage, at: At) -> Linkage:
     Faults(_length_faults(given, at)).settle()
     if given.four_bar is not None:
         four = given.four_bar
         return FourBar(four.crank, four.coupler, four.rocker, four.ground, four.angle)
+    if given.five_bar is not None:
+        return FiveBar(given.five_bar.cranks, given.five_bar.couplers, given.five_bar.ground)
+    if given.delta is not None:
+        return Delta(given.delta.base, given.delta.platform, given.delta.arm, given.delta.forearm)
     slider = given.slider_crank
     if slider is None:
         raise ValueError("a linkage is one of those")
@@ -144,13 +181,22 @@ def _linkage(given: GivenLinkage, at: At) -> FourBar | SliderCrank:
 
 
 def _length_faults(given: GivenLinkage, at: At) -> Iterator[SheetError]:
-    if given.four_bar is not None and given.slider_crank is not None:
+    robots = {
+        "four-bar": given.four_bar, "slider-crank": given.slider_crank, "five-bar": given.five_bar,
+        "delta": given.delta,
+    }  # fmt: skip
+    if len([each for each in robots.values() if each is not None]) > 1:
         yield at.fault("two linkages in one problem", (), "give one of them")
-    for key, bars in (("four-bar", given.four_bar), ("slider-crank", given.slider_crank)):
-        for name in ("crank", "coupler", "rocker", "ground", "rod"):
-            length = rational(value) if (value := getattr(bars, name, None)) is not None else None
-            if length is not None and length <= 0:
-                yield at.fault(f"the length of the {name} must be positive", (key, name))
+    for key, bars in robots.items():
+        for name in type(bars).model_fields if bars is not None else ():
+            if name in ("offset", "angle"):
+                continue
+            sizes = getattr(bars, name)
+            for place, size in enumerate(sizes) if isinstance(sizes, tuple) else (("", sizes),):
+                length = rational(size)
+                if length is not None and length <= 0:
+                    route = (key, name, place) if isinstance(sizes, tuple) else (key, name)
+                    yield at.fault(f"the length of the {name.removesuffix('s')} must be positive", route)
 
 
 def _parallel(space: Space, legs: list[GivenLegs]) -> Mechanism:

@@ -1,0 +1,68 @@
+"""The angles of the motors of a five-bar linkage or a Delta robot for a point, leg by leg."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from derive.derivation import Branch, Derivation, PageFacts, Phrase
+from derive.errors import NotDerivable
+from derive.expression import Expr, Symbol, number
+from derive.kinds.checks import route
+from derive.kinds.fields import Length, OptionsModel
+from derive.kinds.mechanism._leg_checks import legs_close
+from derive.kinds.mechanism._legs import Solved, legs_of, solved
+from derive.kinds.problem import Problem
+from derive.kinds.work import Work
+from derive.mechanics.linkages import Delta, FiveBar
+from derive.names import free
+
+NEEDS = ("motors",)
+CLAIMS = ("legs-close",)
+CLAIMED = {"solutions": "legs-close"}
+
+
+class Options(OptionsModel):
+    """`position`: [x, y] of the point of a five-bar linkage, [x, y, z] of the middle of a platform; symbols
+    of these names where it is left out."""
+
+    position: tuple[Length, ...] | None = Field(None, min_length=2, max_length=3)
+
+
+class Facts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...]
+    delta: bool
+    legs: tuple[tuple[Expr, tuple[str, ...], tuple[Phrase, Phrase]], ...]  # numbers, lines, where elbows are
+    across: Symbol  # a coordinate of the point that is as it is for every leg
+    angle: Symbol  # of the first leg
+
+
+def derive(robot: FiveBar | Delta, options: Options, problem: Problem) -> Derivation:
+    """The end of each crank lies on its circle and at the length of its rod from the point (Lynch and Park,
+    Modern Robotics, section 7.1; Clavel's Delta in Tsai, Robot Analysis, section 3.5).
+
+    Raises NotDerivable for a point of the wrong size, and where no position of it can be reached.
+    """
+    delta = isinstance(robot, Delta)
+    axes = "xyz" if delta else "xy"
+    wanted = options.position or tuple(Symbol(free(problem.taken, axis, f"p_{axis}")) for axis in axes)
+    if len(wanted) != (3 if delta else 2):
+        raise NotDerivable(f"{len(wanted)} coordinates are given, {3 if delta else 2} are needed", "position")
+    work, point = Work(problem).naming(**dict(zip("xyz", wanted, strict=False)))
+    work, legs = legs_of(robot, work, point)
+    given = work.typed
+    parts, branches = list[Solved](), list[Branch]()
+    for leg in legs:
+        one = solved(leg, robot, work)
+        work = one.work
+        parts.append(one)
+        branches += one.branches({name: problem.final(value) for name, value in given} | dict(problem.names))
+    results = {"solutions": tuple(branches)}
+    work = work.claim(route("legs-close", legs_close(robot, work, parts, wanted, results["solutions"])))
+    facts = Facts(
+        given=given, delta=delta, legs=tuple(
+            (number(k), one.lines, (one.ways[0][0], one.ways[1][0])) for k, one in enumerate(parts, 1)
+        ),
+        across=point[-1], angle=parts[0].angle, angle_results=tuple(one.angle.name for one in parts),
+        in_degrees=True,
+    )  # fmt: skip
+    return work.answer("inverse-kinematics", results, facts)

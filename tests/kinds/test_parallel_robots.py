@@ -1,0 +1,69 @@
+"""Motors of parallel robots against the published algorithm for Delta robots and circles of a five-bar."""
+
+from __future__ import annotations
+
+from math import atan, cos, degrees, pi, radians, sin, sqrt, tan
+from pathlib import Path
+
+import pytest
+
+from derive.errors import SheetErrors
+from tests.kinds.test_linkages import solved
+
+SIDE_E, SIDE_F, FOREARM, ARM = 115.0, 457.3, 232.0, 112.0
+TAN30 = tan(pi / 6)
+
+
+def by_trossen(x: float, y: float, z: float) -> float:
+    """The angle of the arm in the plane of y and z (Maxim Zavatsky's tutorial), in degrees."""
+    pivot = -0.5 * TAN30 * SIDE_F
+    y -= 0.5 * TAN30 * SIDE_E
+    a = (x * x + y * y + z * z + ARM**2 - FOREARM**2 - pivot**2) / (2 * z)
+    b = (pivot - y) / z
+    d = -((a + b * pivot) ** 2) + ARM * (b * b * ARM + ARM)
+    along = (pivot - a * b - sqrt(d)) / (b * b + 1)
+    up = a + b * along
+    return degrees(atan(-up / (pivot - along))) + (180 if along > pivot else 0)
+
+
+@pytest.mark.parametrize("place", [(0, 0, -200), (30, -20, -200), (-40, 55, -230), (10, 80, -180)])
+def test_a_delta_robot(tmp_path: Path, place: tuple[float, float, float]) -> None:
+    x, y, z = place
+    base, platform = (0.5 * TAN30 * side for side in (SIDE_F, SIDE_E))
+    given = f"{{delta: {{base: {base!r}, platform: {platform!r}, arm: {ARM}, forearm: {FOREARM}}}}}"
+    found = solved(tmp_path, given, "inverse-kinematics", f"{{x: {x}, y: {y}, z: {z}}}")
+    outside = [next(iter(each.values())) for each in found if each["when"][0].key == "outside"]
+    # There the first arm points along -y, and the others follow at 120 degrees.
+    theirs = []
+    for k in range(3):
+        turn = radians(120 * k)
+        along, across = x * cos(turn) + y * sin(turn), -x * sin(turn) + y * cos(turn)
+        theirs.append(by_trossen(across, -along, z))
+    assert [degrees(angle) for angle in outside] == pytest.approx(theirs, abs=1e-6)
+
+
+def test_a_five_bar(tmp_path: Path) -> None:
+    given = "{five-bar: {cranks: [1, 1.2], couplers: [1.5, 1.3], ground: 0.8}}"
+    found = solved(tmp_path, given, "inverse-kinematics", "{x: 0.5, y: 1.6}")
+    for leg, (crank, coupler, foot) in enumerate(((1, 1.5, 0), (1.2, 1.3, 0.8)), 1):
+        angles = [each[f"theta_{leg}"] for each in found if f"theta_{leg}" in each]
+        assert len(angles) == 2
+        for angle in angles:
+            end = complex(foot + crank * cos(angle), crank * sin(angle))
+            assert abs(end - (0.5 + 1.6j)) == pytest.approx(coupler)
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "message"),
+    [
+        ("{five-bar: {cranks: [1, 0], couplers: [1, 1], ground: 1}}", "the crank must be positive"),
+        ("{five-bar: {cranks: [1], couplers: [1, 1], ground: 1}}", ""),
+        ("{delta: {base: 1, platform: 1, arm: -1, forearm: 3}}", "the arm must be positive"),
+        ("{delta: {base: 9, platform: 1, arm: 1, forearm: 2}}", "no position was found"),
+        ("{four-bar: {crank: a, coupler: b, rocker: c, ground: d}}", "several motors"),
+    ],
+)
+def test_what_has_no_such_motors(tmp_path: Path, mechanism: str, message: str) -> None:
+    with pytest.raises(SheetErrors) as caught:
+        solved(tmp_path, mechanism, "inverse-kinematics", "{}")
+    assert any(message in each.message for each in caught.value.errors)
