@@ -141,6 +141,10 @@ def _frame(number: int, _: Any) -> Datum:
     )
 
 
+def _gains(gains: tuple[Expr, ...]) -> Datum:
+    return Datum(Phrase("each-gain", {"values": tuple(map(measured, gains))}))
+
+
 SAID: dict[str, Said] = {
     "rows": _rows,
     "point": _point,
@@ -166,5 +170,6 @@ SAID: dict[str, Said] = {
     "kind": _worded("kind", {"analytic": "analytic|euler"}),
     "frame": _worded("in", {"tool": "tool|own frame|end-effector", "body": "body"}),
     "notation": _worded("notation", {"khatib": "khatib|B"}),
+    "gain": lambda value, _: _counted("gain")(value, _) if not isinstance(value, tuple) else _gains(value),
     "ends": _worded("ends", {"natural": "natural|accelerations?"}),
 }

@@ -33,6 +33,7 @@ from derive.algebra.formulas.units import (
     ANGULAR_SPEED,
     ANY,
     FORCE,
+    FREQUENCY,
     INERTIA,
     LENGTH,
     MASS,
@@ -196,6 +197,7 @@ Time: TypeAlias = Annotated[Expr, _Reader(TIME)]
 Speed: TypeAlias = Annotated[Expr, _Reader(SPEED)]
 AngularSpeed: TypeAlias = Annotated[Expr, _Reader(ANGULAR_SPEED)]
 Acceleration: TypeAlias = Annotated[Expr, _Reader(ACCELERATION)]
+Frequency: TypeAlias = Annotated[Expr, _Reader(FREQUENCY)]
 Force: TypeAlias = Annotated[Expr, _Reader(FORCE)]
 Torque: TypeAlias = Annotated[Expr, _Reader(TORQUE)]
 StarredLength: TypeAlias = Annotated[Starred, _StarredReader(LENGTH)]

@@ -19,6 +19,7 @@ LENGTH: Dimension = (1, 0, 0, 0, 0)
 MASS: Dimension = (0, 1, 0, 0, 0)
 TIME: Dimension = (0, 0, 1, 0, 0)
 ANGLE: Dimension = (0, 0, 0, 0, 1)
+FREQUENCY: Dimension = (0, 0, -1, 0, 0)
 SPEED: Dimension = (1, 0, -1, 0, 0)
 ACCELERATION: Dimension = (1, 0, -2, 0, 0)
 FORCE: Dimension = (1, 1, -2, 0, 0)
@@ -69,7 +70,7 @@ UNITS: dict[str, Unit] = {
     "V": Unit((2, 1, -3, -1, 0)),
     "ohm": Unit((2, 1, -3, -2, 0)),
     "H": Unit((2, 1, -2, -2, 0)),
-    "Hz": Unit((0, 0, -1, 0, 0)),
+    "Hz": Unit(FREQUENCY),
 }
 # Units that are not read, and would otherwise pass for names: `3 ft` is no product.
 _OTHER_UNITS = """

@@ -54,6 +54,7 @@ KINDS = {
     "gravity": dynamics.gravity,
     "energy": dynamics.energy,
     "dynamics": dynamics.dynamics,
+    "residual": dynamics.residual,
     "newton-euler": dynamics.newton_euler,
     "forward-dynamics": dynamics.forward_dynamics,
     "operational-space-inertia": dynamics.operational_space_inertia,

@@ -93,6 +93,21 @@ def dynamics(asked: Asked, point: Point) -> Iterator[Test]:
     yield Same("g", entries(arm.g))
 
 
+def residual(asked: Asked, point: Point) -> Iterator[Test]:
+    """The momentum, what is known of its rate, and the filter that a residual is."""
+    arm = Mechanics(asked, point)
+    yield Same("p", (values(arm.D) @ arm.qdot).tolist())
+    yield Same("alpha", (entries(arm.g) - arm.C.T @ arm.qdot + arm.friction).tolist())
+    n = range(1, arm.n + 1)
+    given = asked.options.gain
+    gains = given if isinstance(given, tuple) else [given] * arm.n
+    followed = []
+    for k, gain in zip(n, gains, strict=True):
+        size = point[f"k_{k}"] if gain is None else point.at(asked.formula(gain))
+        followed.append(size * (point[f"tau_ext_{k}"] - point[f"r_{k}"]))
+    yield Same("r_dot", followed)
+
+
 def newton_euler(asked: Asked, point: Point) -> Iterator[Test]:
     """The torques."""
     yield Same("tau", Mechanics(asked, point).tau.tolist())
