@@ -248,6 +248,11 @@ ARMS = {
          ("0", "d4*", "0", "90 deg"), ("theta5*", "0", "0", "0"), ("theta6*", "0", "0", "90 deg")),
         "pose", 8, convention="modified",
     ),
+    "RAVEN II": Arm(  # in the table of IKBT, its twists by name
+        (("theta1*", "0", "0", "0"), ("theta2*", "0", "0", "alpha_1"), ("90 deg", "d3*", "0", "alpha_2"),
+         ("theta4*", "l_4", "0", "0"), ("theta5*", "0", "0", "90 deg"), ("theta6*", "0", "a_5", "90 deg")),
+        "pose", 8, convention="modified",
+    ),
     "UR from its other end": Arm(
         (("theta1*", "0.3", "0", "90 deg"), ("theta2*", "0.1", "0.1", "90 deg"),
          ("theta3*", "0.1", "0.4", "0"), ("theta4*", "0.2", "0.3", "0"),

@@ -79,8 +79,10 @@ def reach(solving: Solving, found: Reach) -> None:
         half, middle = found.linear / 2, found.square * Scalar.symbol(d.name) + found.linear / 2
         h = solving.problem.readable(half)
         known = reduce(add_values, (each.known * each.known for each in found.coordinates))
+        alone = P == ONE  # then what is subtracted on both sides of the root goes out
+        whole = total(_cancelled((square(h), *terms_of(rest)))) if alone else square(h) + multiply(P, rest)
         rest = min(
-            square(h) + multiply(P, rest),
+            whole,
             progress.tree(half * half + found.square * (known - found.constant)),
             key=leaves,
         )
@@ -124,6 +126,17 @@ def _as_they_stand(solving: Solving, coordinates: Iterable[Coordinate], square: 
     for each in coordinates:
         solving.equation(*(solving.problem.readable(side) for side in (each.unknown, each.known)))
     return solving.problem.readable(square)
+
+
+def _cancelled(terms: Iterable[Expr]) -> list[Expr]:
+    """Without those that stand there with either sign."""
+    found: list[Expr] = []
+    for term in terms:
+        if (other := opposite(term)) in found:
+            found.remove(other)
+        else:
+            found.append(term)
+    return found
 
 
 def _doubtful(rest: Expr) -> Relation | None:

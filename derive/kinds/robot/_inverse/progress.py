@@ -96,8 +96,15 @@ class Progress:
         not vanish."""
         given = self.problem.symbols | self.problem.where.keys()
         lengths = given - set(self.problem.subject.variables)
-        found = dict.fromkeys(unsigned(tree) for tree in trees if not free_symbols(tree) <= lengths)
+        found = dict.fromkeys(unsigned(tree) for tree in trees if not self._rests_on(tree) <= lengths)
         return zero(*found)
+
+    def _rests_on(self, tree: Expr) -> frozenset[str]:
+        """The names in it, and in what they stand for where that is a quantity with a name."""
+        found, named = free_symbols(tree), {symbol.name: value for symbol, value in self.named}
+        while known := found & named.keys():
+            found = (found - known).union(*(named[name].letters() for name in known))
+        return found
 
     def angle(self, form: Form) -> Expr:
         """theta2 + theta3 as it is printed in its cosine."""
