@@ -17,7 +17,7 @@ from derive.derivation import Claim, Phrase, Step
 from derive.expression import ZERO, Expr, Matrix, Symbol, free_symbols, number
 from derive.expression import replace as put_in
 from derive.kinds.checks import route
-from derive.kinds.system._oracle import Held, Point, complexes, reals, same_roots
+from derive.kinds.system._oracle import Held, Point, complexes, names_inside, reals, same_roots
 from derive.kinds.system._state_facts import Facts
 from derive.kinds.system._states import MATRICES
 
@@ -102,6 +102,7 @@ def _said(
     """The equations of the state, in letters; what passes straight through; motions that are hidden."""
     system: System = held.system
     yield (told.motor, told.disturbance) == (system.motor, system.disturbance if told.physical else None)
+    yield from names_inside(held, told.inside)
     letters = [printed[name][0] for name in MATRICES]
     yield list(told.matrices) == letters
     x, u = printed["x"][0], system.input

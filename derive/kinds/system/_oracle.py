@@ -16,7 +16,7 @@ from derive.control.oracle import motor, poles
 from derive.control.oracle.equations import Numeric, is_close, pid, quotient, value
 from derive.control.signals import signals
 from derive.control.system import System
-from derive.derivation import Claim, Step
+from derive.derivation import Claim, Phrase, Step
 from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.checks import random_points, route
 from derive.kinds.problem import Problem
@@ -182,6 +182,32 @@ def _powers(system: System, control: str, output: str, at: Point) -> Iterator[bo
     current = there["I_a" if control == "armature" else "I_f"]
     if all(number > 0 for number in point.values()):
         yield current.real > 0
+
+
+def names_inside(held: Held, inside: Phrase | None) -> Iterator[bool]:
+    """Whether what is called current, torques and induced voltage of a motor is that, by the circuit and the
+    shaft."""
+    if inside is None:
+        return
+    control, output = held.system.motor
+    yield inside.key == f"inside-{control}"
+    yield ("induced" in inside.about) == (control == "armature")
+    yield from held.compared(lambda at: _inside(held.system, control, output, inside, at))
+
+
+def _inside(system: System, control: str, output: str, inside: Phrase, at: Point) -> Iterator[bool]:
+    point, s = reals(at), at["s"]
+    solved = Numeric.of(system, system.input, point)
+    driven = {source: 1.0 + 0.3j * k for k, source in enumerate(solved.inputs)}
+    signals = solved.signals(s, driven)
+    found = {key: signals[name.name] for key, name in inside.about.items() if isinstance(name, Symbol)}
+    circuit, shaft = motor.sides(control, point, s)
+    speed = signals["omega"] if output == "speed" else s * signals["theta"]
+    voltage, brake = driven[system.input], driven.get(system.disturbance, 0.0) if system.disturbance else 0.0
+    yield _same(circuit * found["current"] + found.get("induced", 0.0), voltage)
+    yield _same(found["torque"], point["K_m"] * found["current"])
+    yield _same(found["load"], shaft * speed)
+    yield _same(found["torque"] - found["load"], brake)
 
 
 # -- at the values asked for --------------------------------------------------------------------------

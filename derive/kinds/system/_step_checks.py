@@ -11,8 +11,8 @@ from derive.control.oracle import poles
 from derive.control.oracle.equations import is_close, quotient, value, value_over
 from derive.control.oracle.figures import BAND, Figures, Seen, agree
 from derive.control.response import StepResponse
-from derive.derivation import Claim, Phrase, Plot, Result, Step
-from derive.expression import ZERO, Expr, Relation, Symbol
+from derive.derivation import Claim, Phrase, Plot, Result, Said, Step
+from derive.expression import ONE, ZERO, Expr, Measured, Relation, Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
 from derive.kinds.system._oracle import Held, as_printed, reals
@@ -63,6 +63,11 @@ def seen_of(transfer: Expr, polynomials: Sequence[Sequence[float]]) -> Seen:
     found = poles.roots_of(polynomials[1])
     swing, growth = (max((0.0, *map(part, found))) for part in (lambda z: abs(z.imag), lambda z: z.real))
     return Seen(lambda s: value_over(transfer, s), swing, _sizes(polynomials[1])[0], growth)
+
+
+def _is_one(height: Said, unit: str) -> bool:
+    """Whether a step is of height one, in the unit of what jumps."""
+    return height == (Measured(ONE, unit) if unit else 1)
 
 
 def _settles(num: Sequence[float], den: Sequence[float], sizes: Sequence[float]) -> bool:
@@ -176,6 +181,8 @@ def _said(
         name: results[name] for name in FIGURES[:-1] if results[name] != NONE
     }
     yield dict(told.jump.about)["start"] == Relation(Symbol("t"), "=", ZERO)
+    jumping = held.system.output if held.controller else held.system.input
+    yield _is_one(told.jump.about["height"], held.system.unit(jumping))
     whose = held.system.input if held.controller is None else None
     yield (told.jump.key, told.jump.about.get("input")) == (
         "reference-jumps" if held.controller else "input-jumps", whose,

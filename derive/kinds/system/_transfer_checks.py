@@ -11,7 +11,7 @@ from derive.expression import ONE, Expr, Product, Quotient, Relation, Symbol, fr
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
 from derive.kinds.system._drift import DriftAtPoint, is_drift, is_drift_there
-from derive.kinds.system._oracle import Held, Point, reals
+from derive.kinds.system._oracle import Held, Point, names_inside, reals
 from derive.kinds.system._transfer_facts import Facts, Told
 
 WAYS = (("given-directly", "solve"), ("put-into", "solve-and-put"))  # with nothing put in, and with something
@@ -29,6 +29,7 @@ def said(held: Held, told: Facts, steps: Sequence[Step], G: Expr) -> Claim:
         told.start == (Phrase("from-the-output", ends) if done else None),
         (told.input, told.output) == (held.source, system.output),
         *(_zero(held, step) for step in steps if step.rule == "superposition"),
+        *names_inside(held, told.inside),
     ]
     return route("as-said", [*plain, *held.compared(lambda at: _degrees(held, told, steps, G, at))])
 
