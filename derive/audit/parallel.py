@@ -9,18 +9,22 @@ from typing import Any
 import mpmath
 import sympy
 
-from derive.audit.asked import Asked, Beyond, Holds, Test
+from derive.audit.asked import Asked, Beyond, Holds, Same, Test
 from derive.audit.linkages import CLOSE, ROUGH, in_turn
 from derive.audit.points import Point
-from derive.expression import Expr, Symbol, free_symbols
-from derive.mechanics.linkages import Delta, FiveBar
+from derive.expression import ZERO, Expr, Symbol, free_symbols
+from derive.mechanics.linkages import Delta, FiveBar, Stewart
 
 TRIES = 600
 THIRD = sympy.pi * 2 / 3
 
 
 def inverse_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
-    """Two angles for each motor, and with each the length of the rod between its joints."""
+    """Two angles for each motor, and with each the length of the rod between its joints; or the vectors from
+    the base to the platform that was turned and moved."""
+    if isinstance(asked.subject, Stewart):
+        yield from _vectors(asked, point)
+        return
     branches = asked.objects("solutions")
     there = _place(asked, point, branches)
     angles = defaultdict(list)
@@ -39,6 +43,32 @@ def inverse_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
             ((name, value),) = values.items()
             here = asked.here.where(**{name: mpmath.mpf(value)})
             yield Holds("evaluated solutions", abs(_gap(asked, name, here)) < ROUGH, "a rod does not reach")
+
+
+def _vectors(asked: Asked, point: Point) -> Iterator[Test]:
+    """SymPy's own matrices turn the platform."""
+    robot, options = asked.subject, asked.options
+    letters = options.convention
+    turns = [
+        *zip(letters.lower(), map(asked.formula, options.orientation or (ZERO, ZERO, ZERO)), strict=True)
+    ]
+    R = sympy.eye(3)
+    for axis, angle in turns if letters.isupper() else turns[::-1]:
+        c, s = sympy.cos(angle), sympy.sin(angle)
+        R = (
+            R
+            * {
+                "x": sympy.Matrix([[1, 0, 0], [0, c, -s], [0, s, c]]),
+                "y": sympy.Matrix([[c, 0, s], [0, 1, 0], [-s, 0, c]]),
+                "z": sympy.Matrix([[c, -s, 0], [s, c, 0], [0, 0, 1]]),
+            }[axis]
+        )
+    p = sympy.Matrix([*map(asked.formula, _wanted(asked))])
+    for k, (foot, top) in enumerate(zip(robot.base, robot.platform, strict=True), 1):
+        start, end = (sympy.Matrix([*map(asked.formula, each)]) for each in (foot, top))
+        leg = p + R * end - start
+        yield Same(f"L_{k}", point.each([*leg]))
+        yield Same(f"l_{k}", point.at(sympy.sqrt(leg.dot(leg))))
 
 
 def _place(asked: Asked, point: Point, branches: list[Mapping[str, Any]]) -> Point:
@@ -69,8 +99,10 @@ def _wanted(asked: Asked) -> tuple[Expr, ...]:
     return tuple(Symbol(f"p_{axis}" if axis in own else axis) for axis in axes)
 
 
-def fields_of(robot: FiveBar | Delta) -> list[Expr]:
+def fields_of(robot: FiveBar | Delta | Stewart) -> list[Expr]:
     """Its lengths."""
+    if isinstance(robot, Stewart):
+        return [part for points in (robot.base, robot.platform) for point in points for part in point]
     if isinstance(robot, FiveBar):
         return [*robot.cranks, *robot.couplers, robot.ground]
     return [robot.base, robot.platform, robot.arm, robot.forearm]

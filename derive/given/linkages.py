@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from derive.algebra.formulas.with_units import measured
-from derive.derivation import Phrase
-from derive.expression import ZERO
-from derive.given.datum import Datum
-from derive.mechanics.linkages import Delta, FiveBar, FourBar, Linkage, SliderCrank
+from derive.derivation import Phrase, Table
+from derive.expression import ZERO, number
+from derive.given.datum import Datum, vector
+from derive.mechanics.linkages import Delta, FiveBar, FourBar, Linkage, SliderCrank, Stewart
 
 
 def of_linkage(linkage: Linkage) -> Iterator[Datum]:
@@ -19,6 +19,12 @@ def of_linkage(linkage: Linkage) -> Iterator[Datum]:
         yield Datum(
             Phrase("five-bar", bars | {"ground": measured(linkage.ground)}), words=("crank", "coupler")
         )
+        return
+    if isinstance(linkage, Stewart):
+        points = zip(linkage.base, linkage.platform, strict=True)
+        rows = ((number(k), vector(a), vector(b)) for k, (a, b) in enumerate(points, 1))
+        table = Table((Phrase("leg"), Phrase("base-point"), Phrase("platform-point")), tuple(rows))
+        yield Datum(Phrase("stewart"), table)
         return
     if isinstance(linkage, Delta):
         sizes = {name: measured(getattr(linkage, name)) for name in ("base", "platform", "arm", "forearm")}

@@ -57,4 +57,17 @@ class Delta:
     forearm: Expr
 
 
-Linkage: TypeAlias = FourBar | SliderCrank | FiveBar | Delta
+Point: TypeAlias = tuple[Expr, Expr, Expr]
+
+
+@dataclass(frozen=True, slots=True)
+class Stewart:
+    """Legs of variable length, each from a point of the base, given in its frame, to a point of the platform,
+    given in that of the platform (m), with ball or universal joints at both ends: six of them hold the
+    platform in every pose."""
+
+    base: tuple[Point, ...]
+    platform: tuple[Point, ...]
+
+
+Linkage: TypeAlias = FourBar | SliderCrank | FiveBar | Delta | Stewart

@@ -5,12 +5,17 @@ from __future__ import annotations
 from math import atan, cos, degrees, pi, radians, sin, sqrt, tan
 from pathlib import Path
 
+import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
+from derive.build import derive_all
 from derive.errors import SheetErrors
+from derive.sheet.load import load_sheet
 from tests.kinds.test_linkages import solved
 
 SIDE_E, SIDE_F, FOREARM, ARM = 115.0, 457.3, 232.0, 112.0
+SQUARE = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
 TAN30 = tan(pi / 6)
 
 
@@ -53,6 +58,28 @@ def test_a_five_bar(tmp_path: Path) -> None:
             assert abs(end - (0.5 + 1.6j)) == pytest.approx(coupler)
 
 
+@pytest.mark.parametrize("convention", ["ZYX", "xyz", "ZYZ"])
+def test_legs_of_a_platform(tmp_path: Path, convention: str) -> None:
+    base = [[2, 1, 0], [-2, 1, 0.5], [0, -2, 0], [1, 1, 1]]
+    platform = [[1, 0, 0.2], [-1, 0, 0], [0, -1, 0], [0.5, 0.5, 0]]
+    lines = [
+        "title: x", "problems:", f"- mechanism: {{stewart: {{base: {base}, platform: {platform}}}}}",
+        "  find: inverse-kinematics", "  position: [0.1, -0.2, 1.5]",
+        "  orientation: [20 deg, -15 deg, 40 deg]",
+        f"  convention: {convention}", "  evaluate: true",
+    ]  # fmt: skip
+    sheet = tmp_path / "sheet.yaml"
+    sheet.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (document,) = derive_all([load_sheet(sheet)], True, lambda _: None)
+    ((_, question),) = document.questions()
+    assert question.derivation
+    R = Rotation.from_euler(convention, [20, -15, 40], degrees=True).as_matrix()
+    legs = np.array([0.1, -0.2, 1.5]) + np.array(platform) @ R.T - np.array(base)
+    for k, leg in enumerate(legs, 1):
+        assert question.derivation.evaluated[f"L_{k}"] == pytest.approx(leg)
+        assert question.derivation.evaluated[f"l_{k}"] == pytest.approx(np.linalg.norm(leg))
+
+
 @pytest.mark.parametrize(
     ("mechanism", "message"),
     [
@@ -60,6 +87,8 @@ def test_a_five_bar(tmp_path: Path) -> None:
         ("{five-bar: {cranks: [1], couplers: [1, 1], ground: 1}}", ""),
         ("{delta: {base: 1, platform: 1, arm: -1, forearm: 3}}", "the arm must be positive"),
         ("{delta: {base: 9, platform: 1, arm: 1, forearm: 2}}", "no position was found"),
+        ("{stewart: {base: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], platform: [[0, 0, 0], [1, 0, 0]]}}", ""),
+        (f"{{stewart: {{base: {SQUARE}, platform: {SQUARE[:3]}}}}}", "4 legs begin and 3 end"),
         ("{four-bar: {crank: a, coupler: b, rocker: c, ground: d}}", "several motors"),
     ],
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TypeAlias
 
 from derive.derivation import PageFacts, Phrase
-from derive.expression import Expr
+from derive.expression import Expr, Symbol
 from derive.mechanics.mobility import Space
 
 Other: TypeAlias = tuple[Space, tuple[Expr, Expr], Expr]  # its lambda, and the freedoms with that
@@ -27,3 +27,16 @@ class Facts(PageFacts):
     may_spin: Phrase | None
     sliders: bool  # among its joints
     others: tuple[Other, ...]
+
+
+class LegFacts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...] = ()
+    delta: bool = False
+    legs: tuple[tuple[Expr, tuple[str, ...], tuple[Phrase, Phrase]], ...] = ()  # numbers, lines, elbows
+    across: Symbol | None = None  # a coordinate of the point that is as it is for every leg
+    angle: Symbol | None = None  # of the first leg
+    vectors: tuple[str, ...] = ()  # lines of those along legs that extend
+    lengths: tuple[str, ...] = ()
+    points: tuple[Symbol, Symbol] | None = None  # of the first leg, on the base and on the platform
+    place: Symbol | None = None  # of the platform
+    turned: Symbol | None = None

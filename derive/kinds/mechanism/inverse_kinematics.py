@@ -2,46 +2,50 @@
 
 from __future__ import annotations
 
-from pydantic import Field
+from typing import Annotated
 
-from derive.derivation import Branch, Derivation, PageFacts, Phrase
+from pydantic import AfterValidator, Field
+
+from derive.derivation import Branch, Derivation
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, number
+from derive.expression import Symbol, number
 from derive.kinds.checks import route
-from derive.kinds.fields import Length, OptionsModel
+from derive.kinds.fields import Angle, Length, OptionsModel
+from derive.kinds.mechanism._facts import LegFacts as Facts
 from derive.kinds.mechanism._leg_checks import legs_close
 from derive.kinds.mechanism._legs import Solved, legs_of, solved
+from derive.kinds.mechanism._stewart import lengths_of_legs
+from derive.kinds.pose.euler_angles import known_convention
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
-from derive.mechanics.linkages import Delta, FiveBar
+from derive.mechanics.linkages import Delta, FiveBar, Stewart
 from derive.names import free
 
 NEEDS = ("motors",)
-CLAIMS = ("legs-close",)
+CLAIMS = ("legs-close|lengths-measured",)
 CLAIMED = {"solutions": "legs-close"}
 
 
 class Options(OptionsModel):
     """`position`: [x, y] of the point of a five-bar linkage, [x, y, z] of the middle of a platform; symbols
-    of these names where it is left out."""
+    of these names where it is left out. `orientation`: three angles of a Stewart-Gough platform, in the order
+    of the `convention`, as in euler-angles; without them it is not turned."""
 
     position: tuple[Length, ...] | None = Field(None, min_length=2, max_length=3)
+    orientation: tuple[Angle, Angle, Angle] | None = None
+    convention: Annotated[str, AfterValidator(known_convention)] = "ZYX"
 
 
-class Facts(PageFacts):
-    given: tuple[tuple[Expr, Expr], ...]
-    delta: bool
-    legs: tuple[tuple[Expr, tuple[str, ...], tuple[Phrase, Phrase]], ...]  # numbers, lines, where elbows are
-    across: Symbol  # a coordinate of the point that is as it is for every leg
-    angle: Symbol  # of the first leg
-
-
-def derive(robot: FiveBar | Delta, options: Options, problem: Problem) -> Derivation:
+def derive(robot: FiveBar | Delta | Stewart, options: Options, problem: Problem) -> Derivation:
     """The end of each crank lies on its circle and at the length of its rod from the point (Lynch and Park,
     Modern Robotics, section 7.1; Clavel's Delta in Tsai, Robot Analysis, section 3.5).
 
     Raises NotDerivable for a point of the wrong size, and where no position of it can be reached.
     """
+    if isinstance(robot, Stewart):
+        return lengths_of_legs(robot, options.position, (options.convention, options.orientation), problem)
+    if options.orientation is not None:
+        raise NotDerivable("a platform that never turns has no orientation", "orientation")
     delta = isinstance(robot, Delta)
     axes = "xyz" if delta else "xy"
     wanted = options.position or tuple(Symbol(free(problem.taken, axis, f"p_{axis}")) for axis in axes)

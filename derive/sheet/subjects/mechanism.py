@@ -10,8 +10,8 @@ from pydantic import Discriminator, Field, Tag
 from derive.algebra.formulas.quantities import rational
 from derive.errors import SheetError
 from derive.expression import ZERO
-from derive.kinds.fields import Angle, Length, OptionsModel
-from derive.mechanics.linkages import INPUT, Delta, FiveBar, FourBar, Linkage, SliderCrank
+from derive.kinds.fields import Angle, Length, OptionsModel, Point
+from derive.mechanics.linkages import INPUT, Delta, FiveBar, FourBar, Linkage, SliderCrank, Stewart
 from derive.mechanics.mobility import (
     FREEDOMS,
     LAMBDA,
@@ -26,7 +26,7 @@ from derive.mechanics.mobility import (
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
-LINKAGES = frozenset({"four-bar", "slider-crank", "five-bar", "delta"})
+LINKAGES = frozenset({"four-bar", "slider-crank", "five-bar", "delta", "stewart"})
 HARMLESS = frozenset({"bodies", "joints", "legs", "rods"}) | LINKAGES
 Count: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
 NOT_WANTED = {
@@ -38,12 +38,15 @@ NOT_WANTED = {
         "the lengths of the bars are missing",
         "write {four-bar: {...}} or {slider-crank: {crank: r, rod: l}}",
     ),
-    "motors": ("this is no robot with several motors", "write {five-bar: {...}} or {delta: {...}}"),
+    "motors": (
+        "this is no robot with several motors",
+        "write {five-bar: {...}}, {delta: {...}} or {stewart: {...}}",
+    ),
 }
 WANTED: dict[str, tuple[type, ...]] = {
     "parts": (Mechanism,),
     "lengths": (FourBar, SliderCrank),
-    "motors": (FiveBar, Delta),
+    "motors": (FiveBar, Delta, Stewart),
 }
 AS_WRITTEN = "write {revolute: 4}, four revolute joints, or {constraints: 4, count: 2}"
 
@@ -113,6 +116,13 @@ class GivenDelta(OptionsModel):
     forearm: Length
 
 
+class GivenStewart(OptionsModel):
+    """Where each leg begins on the base and ends on the platform, each in its own frame, in one order."""
+
+    base: Annotated[list[Point], Field(min_length=3, max_length=8)]
+    platform: Annotated[list[Point], Field(min_length=3, max_length=8)]
+
+
 class GivenLinkage(OptionsModel):
     """A linkage by the lengths of its bars."""
 
@@ -120,6 +130,7 @@ class GivenLinkage(OptionsModel):
     slider_crank: GivenSliderCrank | None = Field(None, alias="slider-crank")
     five_bar: GivenFiveBar | None = Field(None, alias="five-bar")
     delta: GivenDelta | None = None
+    stewart: GivenStewart | None = None
 
 
 class GivenParts(OptionsModel):
@@ -174,6 +185,8 @@ def _linkage(given: GivenLinkage, at: At) -> Linkage:
         return FiveBar(given.five_bar.cranks, given.five_bar.couplers, given.five_bar.ground)
     if given.delta is not None:
         return Delta(given.delta.base, given.delta.platform, given.delta.arm, given.delta.forearm)
+    if given.stewart is not None:
+        return Stewart(tuple(given.stewart.base), tuple(given.stewart.platform))
     slider = given.slider_crank
     if slider is None:
         raise ValueError("a linkage is one of those")
@@ -183,13 +196,16 @@ def _linkage(given: GivenLinkage, at: At) -> Linkage:
 def _length_faults(given: GivenLinkage, at: At) -> Iterator[SheetError]:
     robots = {
         "four-bar": given.four_bar, "slider-crank": given.slider_crank, "five-bar": given.five_bar,
-        "delta": given.delta,
+        "delta": given.delta, "stewart": given.stewart,
     }  # fmt: skip
     if len([each for each in robots.values() if each is not None]) > 1:
         yield at.fault("two linkages in one problem", (), "give one of them")
+    if given.stewart is not None and len(given.stewart.base) != len(given.stewart.platform):
+        message = f"{len(given.stewart.base)} legs begin and {len(given.stewart.platform)} end"
+        yield at.fault(message, ("stewart", "platform"), "give as many points as under base")
     for key, bars in robots.items():
         for name in type(bars).model_fields if bars is not None else ():
-            if name in ("offset", "angle"):
+            if name in ("offset", "angle") or key == "stewart":
                 continue
             sizes = getattr(bars, name)
             for place, size in enumerate(sizes) if isinstance(sizes, tuple) else (("", sizes),):
