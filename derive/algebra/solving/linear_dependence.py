@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-from typing import TypeAlias
+from collections.abc import Collection, Mapping, Sequence
+from typing import Any, TypeAlias
 
 from derive.algebra.multivariate import grouped
 from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.rationals import as_fraction
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, common_ring
 from derive.errors import NotDerivable
@@ -14,6 +15,7 @@ from derive.errors import NotDerivable
 # (place in the vector, powers of the generators that vary) -> what stands before them, a constant
 Coefficients: TypeAlias = dict[tuple[int, tuple[int, ...]], Scalar]
 TINY = 1e-9
+SPARE = 3  # sums of coefficients for each vector
 
 
 def dependencies(
@@ -25,43 +27,86 @@ def dependencies(
     then solved and proven exactly. Raises NotDerivable where an entry has variables below a fraction.
     """
     home = common_ring(entry for vector in vectors for entry in vector)
-    split = [_split([entry.into(home) for entry in vector], variables, home) for vector in vectors]
-    supports = _supports(split, home)
+    brought = [[entry.into(home) for entry in vector] for vector in vectors]
+    moving = [i for i, name in enumerate(home.names) if not home.letters(name).isdisjoint(variables)]
+    _refuse_below(brought, moving, home)
+    supports = _supports(brought, moving, home)
+    wanted = {*supports, *(i for support in supports.values() for i in support)}
+    split = {j: _split(brought[j], moving, home) for j in wanted}
     return {j: _solved(split, j, support) for j, support in supports.items()}
 
 
-def _split(vector: Sequence[Scalar], variables: Collection[str], home: Ring) -> Coefficients:
-    moving = [i for i, name in enumerate(home.names) if not home.letters(name).isdisjoint(variables)]
+def _refuse_below(vectors: Sequence[Sequence[Scalar]], moving: Sequence[int], home: Ring) -> None:
+    """Raises NotDerivable where variables stand below a fraction."""
+    below = (e.denominator for vector in vectors for e in vector if e.denominator is not None)
+    if any(home.index[name] in moving for each in below for name in Scalar(home, each).generators()):
+        raise NotDerivable("the joint variables stand below a fraction here")
+
+
+def _split(vector: Sequence[Scalar], moving: Sequence[int], home: Ring) -> Coefficients:
     found: Coefficients = {}
     for place, entry in enumerate(vector):
-        below = Scalar(home, home.one if entry.denominator is None else entry.denominator)
-        if any(home.index[name] in moving for name in below.generators()):
-            raise NotDerivable("the joint variables stand below a fraction here")
         for powers, part in grouped(entry.numerator, moving).items():
-            found[place, powers] = Scalar(home, part) / below
+            constant = Scalar(home, part)
+            if entry.denominator is not None:
+                constant = constant / Scalar(home, entry.denominator)
+            found[place, powers] = constant
     return found
 
 
-def _supports(split: Sequence[Coefficients], home: Ring) -> dict[int, list[int]]:
+def _supports(vectors: Sequence[Sequence[Scalar]], moving: Sequence[int], home: Ring) -> dict[int, list[int]]:
     """For each dependent vector, in numbers, the independent ones it is made of."""
     import numpy as np
 
-    keys = {key: row for row, key in enumerate(dict.fromkeys(key for each in split for key in each))}
-    point = _point(home)
-    table = np.zeros((len(keys), len(split)))
-    for j, each in enumerate(split):
-        for key, value in each.items():
-            table[keys[key], j] = scalar_number(value, point)
+    table = _table(vectors, moving, home)
     free: list[int] = []
     found: dict[int, list[int]] = {}
-    for j in range(len(split)):
-        column = table[:, j]
+    for j, column in enumerate(table.T):
         weights = np.linalg.lstsq(table[:, free], column, rcond=None)[0] if free else np.zeros(0)
         if np.linalg.norm(table[:, free] @ weights - column) > TINY * (1 + np.linalg.norm(column)):
             free.append(j)
         else:
             found[j] = [i for i, weight in zip(free, weights, strict=True) if abs(weight) > TINY]
     return found
+
+
+def _table(vectors: Sequence[Sequence[Scalar]], moving: Sequence[int], home: Ring) -> Any:
+    """The coefficients of each vector at a point, a column for each; where they are many more than the
+    vectors, as many sums of them at random, among which there are no other dependencies."""
+    import numpy as np
+
+    point = _point(home)
+    values = np.array([_value(home, name, point) for name in home.names])
+    constant = np.ones(len(home.names), dtype=bool)
+    constant[list(moving)] = False
+    rows: dict[tuple[int, bytes], int] = {}
+    entries: list[tuple[list[int], Any]] = []
+    for vector in vectors:
+        at, numbers = [], [np.zeros(0)]
+        for place, entry in enumerate(vector):
+            terms = entry.numerator.to_dict()
+            if not terms:
+                continue
+            powers = np.array([[int(p) for p in each] for each in terms], dtype=np.int64)
+            size = np.array([float(as_fraction(k)) for k in terms.values()])
+            size = size * np.prod(np.where(constant, values, 1.0) ** np.where(constant, powers, 0), axis=1)
+            if entry.denominator is not None:
+                size = size / scalar_number(Scalar(home, entry.denominator), point)
+            at += [rows.setdefault((place, each.tobytes()), len(rows)) for each in powers[:, ~constant]]
+            numbers.append(size)
+        entries.append((at, np.concatenate(numbers)))
+    table = np.zeros((len(rows), len(vectors)))
+    for j, (at, each) in enumerate(entries):
+        np.add.at(table[:, j], at, each)
+    most = SPARE * len(vectors)
+    if len(rows) <= most:
+        return table
+    return np.random.default_rng(len(rows)).normal(size=(most, len(rows))) @ table
+
+
+def _value(home: Ring, name: str, point: dict[str, float]) -> float:
+    """That of a generator."""
+    return scalar_number(Scalar(home, home.gen(name)), point)
 
 
 def _point(home: Ring) -> dict[str, float]:
@@ -74,17 +119,18 @@ def _point(home: Ring) -> dict[str, float]:
     return {name: draw.uniform(0.3, 1.7) for name in sorted(names | parts)}
 
 
-def _solved(split: Sequence[Coefficients], j: int, support: Sequence[int]) -> dict[int, Scalar]:
+def _solved(split: Mapping[int, Coefficients], j: int, support: Sequence[int]) -> dict[int, Scalar]:
     """vector j = the sum of weight * vector, exactly. Raises NotDerivable where that fails."""
     rows = _equations(split, j, support)
     weights = _eliminated(rows, len(support))
     for *parts, whole in rows:
-        if whole != sum((weight * part for weight, part in zip(weights, parts, strict=True)), Scalar.of(0)):
+        held = ((weight, part) for weight, part in zip(weights, parts, strict=True) if part.numerator)
+        if whole != sum((weight * part for weight, part in held), Scalar.of(0)):
             raise NotDerivable("the dependencies of the parameters could not be proven")
     return dict(zip(support, weights, strict=True))
 
 
-def _equations(split: Sequence[Coefficients], j: int, support: Sequence[int]) -> list[list[Scalar]]:
+def _equations(split: Mapping[int, Coefficients], j: int, support: Sequence[int]) -> list[list[Scalar]]:
     """One row a monomial: the coefficients of the vectors, then that of vector j; shortest first."""
     zero = Scalar.of(0)
     keys = dict.fromkeys(key for i in (*support, j) for key in split[i])
@@ -94,26 +140,26 @@ def _equations(split: Sequence[Coefficients], j: int, support: Sequence[int]) ->
 
 def _eliminated(rows: list[list[Scalar]], unknowns: int) -> list[Scalar]:
     """The solution of more equations than unknowns, by elimination in exact numbers."""
-    pivots: list[list[Scalar]] = []
+    pivots: dict[int, list[Scalar]] = {}
     for row in rows:
         if len(pivots) == unknowns:
             break
-        for k, pivot in enumerate(pivots):
-            place = _leading(pivot)
-            if row[place]:
-                row = _less(row, pivots[k], row[place])
+        for place, pivot in pivots.items():
+            if row[place].numerator:
+                row = _less(row, pivot, row[place])
         place = _leading(row)
         if place < unknowns:
             whole = [entry / row[place] for entry in row]
-            pivots = [_less(each, whole, each[place]) if each[place] else each for each in pivots]
-            pivots.append(whole)
-    found = {_leading(pivot): pivot[-1] for pivot in pivots}
-    return [found.get(k, Scalar.of(0)) for k in range(unknowns)]
+            for k, each in pivots.items():
+                if each[place].numerator:
+                    pivots[k] = _less(each, whole, each[place])
+            pivots[place] = whole
+    return [pivots[k][-1] if k in pivots else Scalar.of(0) for k in range(unknowns)]
 
 
 def _leading(row: Sequence[Scalar]) -> int:
-    return next((k for k, entry in enumerate(row) if entry), len(row))
+    return next((k for k, entry in enumerate(row) if entry.numerator and entry), len(row))
 
 
 def _less(row: Sequence[Scalar], other: Sequence[Scalar], factor: Scalar) -> list[Scalar]:
-    return [a - factor * b if b else a for a, b in zip(row, other, strict=True)]
+    return [a - factor * b if b.numerator else a for a, b in zip(row, other, strict=True)]

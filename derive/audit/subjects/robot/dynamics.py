@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from derive.audit.asked import Asked, Holds, Same, Test
+from derive.audit.asked import Asked, Beyond, Holds, Same, Test
 from derive.audit.linear import det, inverse, product, rank, solve, transposed
 from derive.audit.points import Number, Point, agree, shown
 from derive.audit.subjects.robot.arm import entries, numbers
@@ -198,6 +198,9 @@ def regressor(asked: Asked, point: Point) -> Iterator[Test]:
 
 def _regressors(arm: Mechanics) -> Iterator[Test]:
     """Y theta = tau where Y knows nothing of the bodies; the columns of Y_b are independent."""
+    if "Y" not in arm.asked.results:
+        yield Beyond("parameters", "the regressor is not told in symbols")
+        return
     for Y, theta in (("Y", "parameters"), ("Y_b", "base_parameters")):
         column = [[each] for each in arm.point.vector(arm.asked.result(theta))]
         made = [row[0] for row in product(arm.point.matrix(arm.asked.result(Y)), column)]
