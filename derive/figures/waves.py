@@ -67,7 +67,7 @@ def _track(name: str, behind: float, edges: int) -> Plot:
     for up in ups:
         times += [up, up, up + HALF_HEIGHT, up + HALF_HEIGHT]
         values += [0.0, 1.0, 1.0, 0.0]
-    end = LINES + QUARTER
+    end = LINES - BEFORE
     curve: Curve = ((*times, end), (*values, 0.0))
     counted = ups if edges == 1 else [t for up in ups for t in (up, up + HALF_HEIGHT)]
     points = tuple((t, HALF_HEIGHT) for t in counted)

@@ -92,6 +92,7 @@ class SolvedFacts(Record):
     negative: Expr | None  # the opposite, where that has no minus in front
     open: Phrase | None
     orientation: bool
+    whole: bool  # whether a position and an orientation are wanted
     sides: tuple[Expr, ...]  # the known ones of equations that stand above
     names: tuple[Step, ...]
     equations: tuple[Step, ...]

@@ -118,6 +118,7 @@ class Solving:
             positive=side if side and not all_negative(side) else None,
             negative=opposite(side) if side and all_negative(side) else None,
             orientation=progress.goal.R is not None and None in progress.goal.p,
+            whole=progress.goal.R is not None and None not in progress.goal.p,
             sides=self._sides() if method.name in ("direction", "difference") else (),
             names=self.by("name"),
             equations=self.by("equation"),
