@@ -117,8 +117,8 @@ def question(rows: Rows, pose: np.ndarray, folder: Path, left_out: str = "") -> 
     )
     at = ", ".join(f"{name}: {float(value)!r}" for name, value in values.items() if name != left_out)
     sheet.write_text(
-        f"title: Six axes\nproblems:\n- robot:\n    links:\n{links}  find: inverse-kinematics\n"
-        f"  given: pose\n  evaluate: {{{at}}}\n",
+        f"title: Six axes\nproblems:\n- robot:\n    gravity: [0, 0, -g]\n    links:\n{links}"
+        f"  find: inverse-kinematics\n  given: pose\n  evaluate: {{{at}}}\n",
         encoding="utf-8",
     )
     (path,) = (each for each in pages(sheet, folder, "json") if each.suffix == ".json")

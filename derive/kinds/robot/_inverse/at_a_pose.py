@@ -60,7 +60,8 @@ def derive(chain: Chain, target: Target, place: Place, problem: Problem) -> Deri
     """All solutions there (Raghavan and Roth 1993). Raises NotDerivable where a name has no value, and where
     the arm is singular at the pose."""
     point = dict(point_of(dict(place), problem.where))
-    if missing := sorted((problem.symbols | set(target.goal.names)) - point.keys() - set(chain.variables)):
+    of_arm = frozenset[str]().union(*(entry.letters() for entry in chain.T_tool.entries))
+    if missing := sorted((of_arm | set(target.goal.names)) - point.keys() - set(chain.variables)):
         raise NotDerivable(
             "no formula was found, and for numbers every name needs a value under evaluate; "
             f"{', '.join(missing)} {'has' if len(missing) == 1 else 'have'} none"
