@@ -51,6 +51,23 @@ def one_answer() -> Iterator[None]:
 
 
 @contextmanager
+def at_most(units: int) -> Iterator[None]:
+    """What is done inside may take so many units of the answer's work: an attempt that others follow."""
+    work = _WORK.get()
+    if work is None:
+        yield
+        return
+    allowed = min(units, work.left)
+    own = _Work(allowed)
+    token = _WORK.set(own)
+    try:
+        yield
+    finally:
+        _WORK.reset(token)
+        work.left -= allowed - max(own.left, 0)
+
+
+@contextmanager
 def no_charge() -> Iterator[None]:
     """What is done inside is a check, and counts as no work for an answer."""
     token = _WORK.set(None)

@@ -140,6 +140,12 @@ def test_the_sheet_says_them_with_their_polynomial(tmp_path: Path) -> None:
     assert "u**16" in found["results"]["polynomial"]
 
 
+def test_a_general_arm_is_not_searched_to_the_end(tmp_path: Path) -> None:
+    q = [0.3, -0.7, 1.1, 0.4, -1.2, 2.0]
+    told = question(GENERAL, frames(GENERAL, q)[-1], tmp_path)["evaluated"]["solutions"]
+    assert any(np.allclose([each[f"theta{k}"] for k in range(1, 7)], q) for each in told)
+
+
 def test_out_of_reach(tmp_path: Path) -> None:
     pose = frames(OFFSET_WRIST, [0.3, -0.7, 1.1, 0.4, -1.2, 2.0])[-1]
     pose[:3, 3] = 5, 0, 0

@@ -27,6 +27,7 @@ DEGREE = 4  # of Pieper's polynomial
 PLACES = 3  # configurations at each point
 NEAR = mpmath.mpf(10) ** -25
 ROUNDED_STEP = mpmath.mpf(10) ** -6  # of floats, where a formula turns on a square root
+TENFOLD = 10  # of the rounding of a pose
 TURN = mpmath.mpf(3) / 10
 RELATION = re.compile(r"^([^<>=]+?) ([<>]) ([^<>=]+)$")
 
@@ -96,13 +97,14 @@ def in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
             yield Holds(
                 "evaluated solutions", inside == branch["feasible"], f"{told(values_told)} is feasible"
             )
+    near = ROUNDED_STEP + TENFOLD * _rounding(target)
     tried = 0
     for branch, values_told in zip(branches, tolds, strict=True):
         if values_told is None:
             continue
         for moved in _along(branch, {joint: values_told[joint] for joint in q}):
             reached = goal(asked, Arm(asked, here.where(**moved), 1))
-            right = not branch.get("true_at", True) or reaches(asked, reached, target, ROUNDED_STEP)
+            right = not branch.get("true_at", True) or reaches(asked, reached, target, near)
             tried += 1
             yield Holds("evaluated solutions", right, f"{told(moved)} brings it to {told(reached)}")
     free = any("free" in branch for branch in branches)
@@ -145,6 +147,16 @@ def with_roots(asked: Asked, known: Point) -> list[Point]:
     real = [each.real for each in found if is_zero(each.imag, max(1, abs(each.real)))]
     real += [mpmath.inf] if half_turn else []
     return [known.where(**{root.name: each}) for each in real]
+
+
+def _rounding(target: Values) -> Number:
+    """How far what is typed as a rotation is from one."""
+    names = [[f"r{i}{j}" for j in (1, 2, 3)] for i in (1, 2, 3)]
+    if not all(name in target for row in names for name in row):
+        return mpmath.mpf(0)
+    R = mpmath.matrix([[floating(target[name]) for name in row] for row in names])
+    off = R * R.T - mpmath.eye(3)
+    return max(abs(off[i, j]) for i, j in product(range(3), repeat=2))
 
 
 def at_a_pose(asked: Asked) -> Iterator[Test]:

@@ -47,13 +47,17 @@ from derive.names import free
 JOINTS = 6
 REACHED = 1e-6
 LARGEST = 1e7  # of a tangent
+NO_FORMULA = (
+    "no closed form found: no three neighboring axes of the arm are parallel or meet in one point, and its "
+    "equations are too long to be searched further"
+)
 
 
-def fits(chain: Chain, target: Target, place: Place | None) -> bool:
-    """Whether it is six joints that turn, each its own row, with a whole pose and a place asked for."""
+def fits(chain: Chain, target: Target) -> bool:
+    """Whether it is six joints that turn, each its own row, and a whole pose is given."""
     turning = all(joint.type == "revolute" for _, joint in chain.moving)
     whole = target.goal.whole_position and target.goal.R is not None and target.goal.angle is None
-    return bool(place) and turning and whole and len(chain.variables) == JOINTS and chain.coupling is None
+    return turning and whole and len(chain.variables) == JOINTS and chain.coupling is None
 
 
 def derive(chain: Chain, target: Target, place: Place, problem: Problem) -> Derivation:
@@ -247,6 +251,6 @@ def _pose_by_names(target: Target) -> Matrix:
 
 def offered(chain: Chain, target: Target) -> str:
     """What is said where no place was asked for."""
-    if not fits(chain, target, ((target.joints[0], ZERO),)):
+    if not fits(chain, target):
         return ""
     return "; with a pose under evaluate all solutions there are found in numbers"

@@ -87,6 +87,8 @@ def _with(robot: Robot, free: tuple[str, ...], name: str, result: Result) -> Res
     """The solutions with the joints that are chosen, each by itself, and their order."""
     if name == "order" and isinstance(result, tuple):
         return (*free, *(each for each in result if isinstance(each, str)))
+    if name != "solutions":
+        return result
     own = {name: Symbol(name) for name in free}
     branches = result if isinstance(result, tuple) else ()
     return tuple(

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 
+from derive.algebra.bounds import at_most
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation, Result
 from derive.errors import NotDerivable
@@ -34,11 +35,13 @@ from derive.mechanics.budget import Budget
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.arm_angle import ArmAngle, arm_angle
 from derive.mechanics.inverse.goal import Goal
-from derive.mechanics.inverse.plan import Search
+from derive.mechanics.inverse.plan import Plan, Search
 from derive.mechanics.inverse.search import MOST_TERMS
+from derive.mechanics.inverse.six_axes import SixAxes
 from derive.names import free
 
 POINTS, MOST_POINTS = 5, 40
+ATTEMPT = 1_000_000  # units of work: the equations of an arm with an offset wrist take a quarter
 DIGITS = "0123456789"
 
 
@@ -59,11 +62,13 @@ def derive(
     if arm is None:
         refuse_self_motion(target, points)
     search = Search(chain, goal, points[:2], unused, Budget(MOST_TERMS))
-    plan = search.by_arm_angle(arm) if arm else search.plan()
-    if not plan.complete and problem.subject.by_screws:
+    plan = search.by_arm_angle(arm) if arm else _plan(search, target)
+    if not (plan and plan.complete) and problem.subject.by_screws:
         return by_rows("inverse-kinematics", problem, given=given, evaluate=place)
-    if not plan.complete and place and at_a_pose.fits(chain, target, place):
+    if not (plan and plan.complete) and place and at_a_pose.fits(chain, target):
         return at_a_pose.derive(chain, target, place, problem)
+    if plan is None:
+        raise NotDerivable(at_a_pose.NO_FORMULA + at_a_pose.offered(chain, target))
     if not plan.complete:
         raise NotDerivable(no_closed_form(plan, goal, problem) + at_a_pose.offered(chain, target))
     worked = Stages(problem, chain, goal, plan, unused).worked()
@@ -121,6 +126,18 @@ def _points(
     """Poses that the arm reaches, with the arm angle it has there."""
     found = sample_points(chain, goal, problem, count)
     return tuple({**each, arm.psi: arm.at(chain, each)[arm.psi]} for each in found) if arm else found
+
+
+def _plan(search: Search, target: Target) -> Plan | None:
+    """None where no three neighbouring axes suggest that there is one, and the search for it grows long."""
+    chain, point = search.chain, search.points[0]
+    if not at_a_pose.fits(chain, target) or SixAxes.of(chain, point, target.size(point)).has_formulas:
+        return search.plan()
+    try:
+        with at_most(ATTEMPT):
+            return search.plan()
+    except NotDerivable:
+        return None
 
 
 def _tried(
