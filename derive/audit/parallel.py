@@ -45,13 +45,38 @@ def inverse_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
             yield Holds("evaluated solutions", abs(_gap(asked, name, here)) < ROUGH, "a rod does not reach")
 
 
+def jacobian(asked: Asked, point: Point) -> Iterator[Test]:
+    """The squares of the rods differentiated; or directions of the legs, and their moments."""
+    robot = asked.subject
+    if isinstance(robot, Stewart):
+        rows = []
+        for leg, lever in _legs(asked):
+            direction = leg / sympy.sqrt(leg.dot(leg))
+            rows.append([*direction, *lever.cross(direction)])
+        yield Same("J", point.each(rows))
+        return
+    target = [sympy.Symbol(f"_p{k}") for k in range(len(_wanted(asked)))]
+    placed = dict(zip(target, map(asked.formula, _wanted(asked)), strict=True))
+    angles = sympy.symbols("theta_1:4")[: len(target)]
+    squares = [_square(asked, leg, angle, target) / 2 for leg, angle in enumerate(angles, 1)]
+    J_x = [[sympy.diff(each, name).subs(placed) for name in target] for each in squares]
+    J_q = [[-sympy.diff(each, name).subs(placed) for name in angles] for each in squares]
+    yield Same("J_x", point.each(J_x))
+    yield Same("J_q", point.each(J_q))
+
+
 def _vectors(asked: Asked, point: Point) -> Iterator[Test]:
-    """SymPy's own matrices turn the platform."""
+    for k, (leg, _) in enumerate(_legs(asked), 1):
+        yield Same(f"L_{k}", point.each([*leg]))
+        yield Same(f"l_{k}", point.at(sympy.sqrt(leg.dot(leg))))
+
+
+def _legs(asked: Asked) -> Iterator[tuple[sympy.Matrix, sympy.Matrix]]:
+    """The vector along each leg, and that from the middle of the platform to its end; SymPy's own matrices
+    turn it."""
     robot, options = asked.subject, asked.options
-    letters = options.convention
-    turns = [
-        *zip(letters.lower(), map(asked.formula, options.orientation or (ZERO, ZERO, ZERO)), strict=True)
-    ]
+    letters, given = options.convention, options.orientation or (ZERO, ZERO, ZERO)
+    turns = [*zip(letters.lower(), map(asked.formula, given), strict=True)]
     R = sympy.eye(3)
     for axis, angle in turns if letters.isupper() else turns[::-1]:
         c, s = sympy.cos(angle), sympy.sin(angle)
@@ -64,11 +89,9 @@ def _vectors(asked: Asked, point: Point) -> Iterator[Test]:
             }[axis]
         )
     p = sympy.Matrix([*map(asked.formula, _wanted(asked))])
-    for k, (foot, top) in enumerate(zip(robot.base, robot.platform, strict=True), 1):
+    for foot, top in zip(robot.base, robot.platform, strict=True):
         start, end = (sympy.Matrix([*map(asked.formula, each)]) for each in (foot, top))
-        leg = p + R * end - start
-        yield Same(f"L_{k}", point.each([*leg]))
-        yield Same(f"l_{k}", point.at(sympy.sqrt(leg.dot(leg))))
+        yield p + R * end - start, R * end
 
 
 def _place(asked: Asked, point: Point, branches: list[Mapping[str, Any]]) -> Point:
@@ -110,16 +133,21 @@ def fields_of(robot: FiveBar | Delta | Stewart) -> list[Expr]:
 
 def _gap(asked: Asked, name: str, there: Point) -> Any:
     """The square of the distance between the joints of a rod, less that of its length."""
-    robot, leg, angle = asked.subject, int(name.split("_")[-1]), sympy.Symbol(name)
+    robot, leg = asked.subject, int(name.split("_")[-1])
+    rod = robot.couplers[leg - 1] if isinstance(robot, FiveBar) else robot.forearm
     target = list(map(asked.formula, _wanted(asked)))
+    return there.at(_square(asked, leg, sympy.Symbol(name), target) - asked.formula(rod) ** 2)
+
+
+def _square(asked: Asked, leg: int, angle: sympy.Symbol, target: list[sympy.Expr]) -> sympy.Expr:
+    """Of the distance between the joints of a rod."""
+    robot = asked.subject
     if isinstance(robot, FiveBar):
-        crank, rod = (asked.formula(each[leg - 1]) for each in (robot.cranks, robot.couplers))
+        crank = asked.formula(robot.cranks[leg - 1])
         foot = asked.formula(robot.ground) * (leg - 1)
-        gap = (foot + crank * sympy.cos(angle) - target[0]) ** 2 + (crank * sympy.sin(angle) - target[1]) ** 2
-        return there.at(gap - rod**2)
-    base, platform, arm, rod = (
-        asked.formula(getattr(robot, each)) for each in ("base", "platform", "arm", "forearm")
-    )
-    out, turn = base + arm * sympy.cos(angle) - platform, THIRD * (leg - 1)
-    elbow = [out * sympy.cos(turn), out * sympy.sin(turn), -arm * sympy.sin(angle)]
-    return there.at(sum((a - b) ** 2 for a, b in zip(elbow, target, strict=True)) - rod**2)
+        elbow = [foot + crank * sympy.cos(angle), crank * sympy.sin(angle)]
+    else:
+        base, platform, arm = (asked.formula(getattr(robot, each)) for each in ("base", "platform", "arm"))
+        out, turn = base + arm * sympy.cos(angle) - platform, THIRD * (leg - 1)
+        elbow = [out * sympy.cos(turn), out * sympy.sin(turn), -arm * sympy.sin(angle)]
+    return sum((b - a) ** 2 for a, b in zip(elbow, target, strict=True))

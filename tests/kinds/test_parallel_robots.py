@@ -80,6 +80,33 @@ def test_legs_of_a_platform(tmp_path: Path, convention: str) -> None:
         assert question.derivation.evaluated[f"l_{k}"] == pytest.approx(np.linalg.norm(leg))
 
 
+def test_rates_of_legs_and_motors_by_differences(tmp_path: Path) -> None:
+    """The motors of two near points, by inverse kinematics, have the rates that the Jacobians give."""
+    robot = "{five-bar: {cranks: [1, 1.2], couplers: [1.5, 1.3], ground: 0.8}}"
+    step, way = 1e-5, (0.6, -0.8)
+
+    def angles(side: int) -> list[float]:
+        x, y = (c + side * step * w for c, w in zip((0.5, 1.6), way, strict=True))
+        found = solved(tmp_path, robot, "inverse-kinematics", f"{{x: {x!r}, y: {y!r}}}")
+        return [
+            each[name] for each in found for name in each if each["when"][0].key == "left" and name != "when"
+        ]
+
+    rates = [(a - b) / (2 * step) for a, b in zip(angles(1), angles(-1), strict=True)]
+    here = [(a + b) / 2 for a, b in zip(angles(1), angles(-1), strict=True)]
+    lines = [
+        "title: x", "problems:", f"- mechanism: {robot}", "  find: jacobian",
+        f"  evaluate: {{x: 0.5, y: 1.6, theta_1: {here[0]!r}, theta_2: {here[1]!r}}}",
+    ]  # fmt: skip
+    sheet = tmp_path / "jacobian.yaml"
+    sheet.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (document,) = derive_all([load_sheet(sheet)], True, lambda _: None)
+    ((_, question),) = document.questions()
+    assert question.derivation
+    J_x, J_q = (np.array(question.derivation.evaluated[name]) for name in ("J_x", "J_q"))
+    assert J_x @ np.array(way) == pytest.approx(J_q @ np.array(rates), abs=1e-6)
+
+
 @pytest.mark.parametrize(
     ("mechanism", "message"),
     [

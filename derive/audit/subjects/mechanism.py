@@ -9,7 +9,7 @@ import sympy
 
 from derive.audit.asked import Asked, Same, Test
 from derive.audit.linkages import position, singularities, velocity
-from derive.audit.parallel import inverse_kinematics
+from derive.audit.parallel import inverse_kinematics, jacobian
 from derive.audit.points import Point
 from derive.mechanics.mobility import Mechanism
 
@@ -81,4 +81,5 @@ KINDS = {
     "velocity": velocity,
     "singularities": singularities,
     "inverse-kinematics": inverse_kinematics,
+    "jacobian": jacobian,
 }

@@ -40,3 +40,13 @@ class LegFacts(PageFacts):
     points: tuple[Symbol, Symbol] | None = None  # of the first leg, on the base and on the platform
     place: Symbol | None = None  # of the platform
     turned: Symbol | None = None
+
+
+class JacobianFacts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...] = ()
+    # Lines of vectors: along the rod of each leg, or from the middle of a platform to its end.
+    rods: tuple[str, ...] = ()
+    first: Symbol  # of the first leg
+    angles: tuple[Symbol, ...] = ()
+    delta: bool = False
+    along: Expr | None = None  # the direction of the first leg that extends
