@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import pi
+from math import pi, remainder, tau
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import Point, completed, number
@@ -104,7 +104,8 @@ def _round(arc: Arc, center: NDArray[Any], away: NDArray[Any], at: Point) -> Mad
     per, climb = (r, 0.0) if arc.pitch is None else (1.0, back * number(arc.pitch, at) / (2 * pi))
 
     def turned(t: float) -> NDArray[Any]:
-        place: NDArray[Any] = center + exponential(spin * t / per) @ (first * r) + climb * t * axis
+        by = remainder(t / per, tau)  # of many turns the exponential is not exact enough for differences
+        place: NDArray[Any] = center + exponential(spin * by) @ (first * r) + climb * t * axis
         return place
 
     return Made(turned, per, (0.0, per * abs(angle)), (first, np.cross(axis, first), axis))

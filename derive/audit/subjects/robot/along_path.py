@@ -34,8 +34,10 @@ def joint_motion(asked: Asked, point: Point) -> Iterator[Test]:
     if "t" in asked.results:
         yield from _listed_rows(asked)
         return
+    given = asked.evaluate or {}
+    fixed = {name: asked.formula(value) for name, value in given.items() if name != "t"}
     for k in range(TRIES):
-        here = Point(1000 * k + point.seed, False, point.angles, point.assumptions)
+        here = Point(1000 * k + point.seed, False, point.angles, point.assumptions, fixed)
         with suppress(ZeroDivisionError):
             yield from list(_at(asked, here))
             return
@@ -43,7 +45,7 @@ def joint_motion(asked: Asked, point: Point) -> Iterator[Test]:
 
 
 def _at(asked: Asked, point: Point) -> Iterator[Test]:
-    if asked.evaluated:
+    if asked.evaluated and "t" in (asked.evaluate or {}):
         yield from _in_numbers(asked)
     for now, *wanted in _moments(replace(asked, subject=asked.options.path), point):
         yield from _moves(_arm(asked, now), wanted, ROUNDED)
@@ -129,7 +131,7 @@ def _listed_rows(asked: Asked) -> Iterator[Test]:
     times, *rows = (asked.result(name) for name in ("t", *ORDERS))
     some = range(0, len(times), max(1, len(times) // TABLED))
     there = replace(asked, subject=asked.options.path)
-    found = _moments(there, asked.here, [times[k] for k in some])
+    found = _moments(there, asked.here, [mpmath.mpf(times[k]) for k in some])
     for k, (now, *wanted) in zip(some, found, strict=True):
         names = (f"{each}{end}" for end in ("", "_dot", "_ddot") for each in asked.subject.variables)
         listed = dict(zip(names, (value for row in rows for value in row[k]), strict=True))
