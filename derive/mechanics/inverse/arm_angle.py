@@ -120,19 +120,20 @@ def _between(chain: Chain, first: int, last: int) -> ScalarMatrix:
 
 
 def _plane(axis: ScalarMatrix, upper: ScalarMatrix) -> ScalarMatrix | None:
-    """x, y and z (in columns) with y along the axis of the elbow, and z along the upper arm where that is
-    along an axis of the frame; None where the axis of the elbow is along none."""
+    """x, y and z (in columns) with y along the axis of the elbow, and z along the axis of the frame that the
+    upper arm follows most; None where the axis of the elbow is along none."""
     units = [ScalarMatrix.column([int(i == k) for i in range(3)]) for k in range(3)]
     if not any(axis in (unit, -unit) for unit in units):
         return None
-    signed = [unit.scaled(Scalar.of(sign)) for unit in units for sign in (1, -1)]
+    signed = [unit.scaled(Scalar.of(sign)) for unit in reversed(units) for sign in (1, -1)]
     across = [unit for unit in signed if not dot(unit.entries, axis.entries)]
-    along = [unit for unit in across if not unit.cross(upper) and _is_plain(dot(unit.entries, upper.entries))]
-    z = next(iter(along), across[0])
+    z = max(across, key=lambda unit: _size(dot(unit.entries, upper.entries)))
     x = axis.cross(z)
     return ScalarMatrix.of([[x[i, 0], axis[i, 0], z[i, 0]] for i in range(3)])
 
 
-def _is_plain(length: Scalar) -> bool:
-    """Whether it is written without a minus in front."""
-    return bool(length) and as_fraction(length.numerator.leading_coefficient()) > 0
+def _size(length: Scalar) -> float:
+    """Of a number itself; of a formula one, less than nothing where it has a minus in front."""
+    if length.constant is not None:
+        return float(length.constant)
+    return 1.0 if as_fraction(length.numerator.leading_coefficient()) > 0 else -1.0

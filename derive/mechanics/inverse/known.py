@@ -38,7 +38,8 @@ class Knowledge:
         coupling = chain.coupling
         if coupling is None or not coupling.winds:
             return Knowledge(tuple(_runs(chain.T_tool.ring, turning)), tuple(slides))
-        return Knowledge(tuple(_linked(coupling.angles, turning)), tuple(slides), coupled=True)
+        together = (*coupling.angles, *_parallel(chain))
+        return Knowledge(tuple(_linked(together, turning)), tuple(slides), coupled=True)
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -142,6 +143,14 @@ def _runs(home: Ring, turning: list[str]) -> Iterator[Form]:
                 longest[name] = Form(tuple((each, form.of_atom(each)) for each in names))
     for form in dict.fromkeys(longest[name] for name in turning if name in longest):
         yield Form(tuple((name, Fraction(1 if n > 0 else -1)) for name, n in form.parts))
+
+
+def _parallel(chain: Chain) -> Iterator[Form]:
+    """Two joints together whose axes are parallel."""
+    turning = [(joint.variable, chain.axis(i)) for i, joint in chain.moving if joint.type == "revolute"]
+    for (one, first), (other, second) in combinations(turning, 2):
+        if second in (first, -first):
+            yield Form.of({one: 1, other: 1})
 
 
 def _linked(angles: Iterable[Form], turning: list[str]) -> Iterator[Form]:

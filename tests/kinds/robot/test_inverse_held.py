@@ -11,8 +11,11 @@ import numpy as np
 import pytest
 
 from derive.errors import NotDerivable
-from derive.expression import Number
+from derive.expression import ONE, ZERO, Number, Symbol
+from derive.mechanics.motion import Motion, Move
+from derive.mechanics.robot import Link, Robot, ScrewRow
 from tests.kinds.robot.arms import Arm
+from tests.mechanics.robots import problem
 
 Q = math.pi / 180
 PANDA = Arm(
@@ -36,7 +39,12 @@ WAM = Arm(
 RAIL = Arm(
     (("0", "d1*", "0", "-90 deg"), ("theta2*", "0", "0.5", "0"), ("theta3*", "0", "0.4", "0")), ("x", "z"), 2
 )
-CASES = [(PANDA, "theta7"), (IIWA, "theta3"), (IIWA, "theta1"), (RAIL, "d1")]
+ABSOLUTE = Arm(
+    (("theta1*", "0", "0.5", "0"), ("theta2* - theta1", "0", "0.4", "0"),
+     ("theta3* - theta2", "0", "0.3", "0")),
+    ("x", "y"), 2,
+)  # fmt: skip
+CASES = [(ABSOLUTE, "theta2"), (PANDA, "theta7"), (IIWA, "theta3"), (IIWA, "theta1"), (RAIL, "d1")]
 
 
 def place(arm: Arm, at: Mapping[str, float], *names: str) -> tuple[tuple[str, Number], ...]:
@@ -121,3 +129,21 @@ def test_joints_that_cannot_be_chosen(free: tuple[str, ...], why: str) -> None:
 def test_without_a_choice_it_is_said_how_to_make_one() -> None:
     with pytest.raises(NotDerivable, match=r"free: \[theta7\]"):
         PANDA.problem().ask("inverse-kinematics", given="pose")
+
+
+def test_a_chain_of_screws() -> None:
+    """The WAM arm of Lynch and Park, section 4.1.3, given by its screws."""
+    up, level = (ZERO, ZERO, ONE), (ZERO, ONE, ZERO)
+    rows = [
+        (up, (ZERO, ZERO, ZERO)), (level, (ZERO, ZERO, ZERO)), (up, (ZERO, ZERO, ZERO)),
+        (level, (Symbol("w"), ZERO, Symbol("h"))), (up, (ZERO, ZERO, ZERO)),
+        (level, (ZERO, ZERO, Symbol("k"))), (up, (ZERO, ZERO, ZERO)),
+    ]  # fmt: skip
+    links = tuple(
+        Link(ScrewRow(axis, through, Symbol(f"theta{i}")), "revolute", f"theta{i}")
+        for i, (axis, through) in enumerate(rows, 1)
+    )
+    arm = Robot("", "standard", links, home=Motion((Move("translate", "z", Symbol("e")),)))
+    found = problem(arm).ask("inverse-kinematics", given="pose", free=("theta3",))
+    assert all(claim.holds for claim in found.claims)
+    assert len(found.results["solutions"]) == 8

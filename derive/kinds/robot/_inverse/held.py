@@ -20,8 +20,9 @@ from derive.kinds.robot._inverse.ranges import Ranges
 from derive.kinds.robot._inverse.refused import rank_at
 from derive.kinds.robot._inverse.sampled import sample_points
 from derive.kinds.robot._inverse.target import Target
+from derive.kinds.robot._rows.by_rows import by_rows
 from derive.kinds.values_at import Here
-from derive.mechanics.robot import Robot, ScrewRow
+from derive.mechanics.robot import Robot
 
 TREES = get_args(Expr)
 
@@ -49,6 +50,8 @@ def derive(problem: Problem, free: tuple[str, ...], given: Given, place: Place |
     """The inverse of the arm with these joints held, in which they are names like lengths."""
     robot: Robot = problem.subject
     _refuse(problem, free, given)
+    if robot.by_screws:
+        return by_rows("inverse-kinematics", problem, given=given, free=free, evaluate=place)
     signs = {**problem.assumptions, **dict.fromkeys(free, "real")}
     arm, order = holding(robot, free), problem.style.order  # names stand in sums as they do before
     other = replace(problem, subject=arm, assumptions=signs, memo=Memo(), order=order)
@@ -116,8 +119,6 @@ def _refuse(problem: Problem, free: tuple[str, ...], given: Given) -> None:
     if strange := [name for name in free if name not in robot.variables]:
         known = ", ".join(robot.variables)
         raise NotDerivable(f"'{strange[0]}' under free is no joint variable; they are {known}", "free")
-    if any(isinstance(link.row, ScrewRow) for link in robot.links):
-        raise NotDerivable("joints of a chain of screws are not held yet; give the arm by its links", "free")
     chain = chain_of(problem)
     goal = goal_of(given, chain, problem)
     target = Target.of(problem, chain, goal)
