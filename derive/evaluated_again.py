@@ -161,6 +161,9 @@ class Again:
     ) -> dict[str, Any]:
         """Its values, names that it says on the way before what rests on them."""
         known, values = dict(names), dict(found)
+        if found.get("real", True) and _ends_nowhere(text, names):
+            self.same.append(True)  # floats found a number where there certainly is none, 0/0 by rounding
+            return {"when": found["when"], "real": False}
         nowhere = False
         for name, its in text.items():
             if name in ABOUT or not isinstance(its, str):
@@ -174,6 +177,18 @@ class Again:
         if not found.get("real", True):
             self.same.append(nowhere)
         return {name: values[name] for name in found}
+
+
+def _ends_nowhere(text: Mapping[str, Any], names: Mapping[str, Expr]) -> bool:
+    """Whether a branch that is told so has a name without a value, found in turn."""
+    known = dict(names)
+    for name, its in text.items():
+        if name not in ABOUT and isinstance(its, str):
+            if _is_nowhere(its, known):
+                return True
+            with suppress(FormulaError):
+                known[name] = read(its)
+    return False
 
 
 def _told_with(equations: Mapping[str, Any]) -> dict[str, Expr]:

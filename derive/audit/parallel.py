@@ -45,6 +45,31 @@ def inverse_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
             yield Holds("evaluated solutions", abs(_gap(asked, name, here)) < ROUGH, "a rod does not reach")
 
 
+def meeting(asked: Asked, point: Point) -> Iterator[Test]:
+    """The point of a five-bar linkage has both distances, in each of two places."""
+    angles, target = sympy.symbols("theta_1:3"), sympy.symbols("x y")
+    gaps = [
+        _square(asked, leg, angle, list(target)) - asked.formula(rod) ** 2
+        for leg, (angle, rod) in enumerate(zip(angles, asked.subject.couplers, strict=True), 1)
+    ]
+    there = point.in_digits()
+    found = [in_turn(asked, each, there) for each in asked.objects("solutions")]
+    yield Holds("solutions", len(found) == 2 and abs(found[0]["x"] - found[1]["x"]) > ROUGH, "they are one")
+    for place in found:
+        size = 1 + sum(abs(place[name.name]) ** 2 for name in target)
+        near = all(abs(place.at(gap)) < CLOSE * size for gap in gaps)
+        yield Holds("solutions", bool(near), "a coupler does not reach")
+    for told in asked.objects("evaluated solutions") if asked.evaluated else ():
+        values = {name: value for name, value in told.items() if name not in ("when", "real")}
+        if any(isinstance(value, str) for value in values.values()):
+            yield Beyond("evaluated solutions", "symbols are left")
+        elif told.get("real", True):
+            here = asked.here.where(**{name: mpmath.mpf(value) for name, value in values.items()})
+            yield Holds(
+                "evaluated solutions", all(abs(here.at(gap)) < ROUGH for gap in gaps), "it is not there"
+            )
+
+
 def jacobian(asked: Asked, point: Point) -> Iterator[Test]:
     """The squares of the rods differentiated; or directions of the legs, and their moments."""
     robot = asked.subject

@@ -1,4 +1,4 @@
-"""A four-bar linkage or a slider-crank with its bars and joints; its other assembly is dashed."""
+"""Linkages of four and five bars and slider-cranks, with their joints; the other assembly is dashed."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
 from derive.figures import solids
 from derive.figures.view import onto_plane
-from derive.mechanics.linkages import FourBar, SliderCrank
+from derive.mechanics.linkages import FiveBar, FourBar, SliderCrank
 
 FOUR, THREE = ("crank", "coupler", "rocker", "ground"), ("crank", "rod", "offset")
 HIGH = 150.0  # points
@@ -41,16 +41,68 @@ def drawn(linkage: FourBar | SliderCrank) -> Drawing:
     raise NotDerivable("no position shows this linkage well")
 
 
+def five_bar(robot: FiveBar) -> Drawing:
+    """With both cranks leaning outwards. Raises NotDerivable where no position shows it well."""
+    given = [*robot.cranks, *robot.couplers, robot.ground]
+    sizes = [rational(tree) for tree in given]
+    known = [float(size) for size in sizes if size is not None]
+    bars = known if len(known) == len(given) else [1.0, 1.0, 1.6, 1.6, 1.1]
+    a_1, a_2, b_1, b_2, ground = (size / max(bars) for size in bars)
+    for lean in (120, 100, 140, 80, 60, 160):
+        first = a_1 * exp(1j * radians(lean))
+        second = ground + a_2 * exp(1j * radians(180 - lean))
+        ways = _meeting(first, b_1, second, b_2)
+        if ways and abs(ways[0] - ways[1]) > WELL:
+            return _of_five(robot, [first, second], ways, complex(ground, 0), lean)
+    raise NotDerivable("no position shows this linkage well")
+
+
+def _meeting(one: complex, reach: float, other: complex, far: float) -> tuple[complex, complex] | None:
+    """Where two circles meet: the upper place first."""
+    apart = abs(other - one)
+    along = (apart**2 + reach**2 - far**2) / (2 * apart) if apart else reach
+    if reach <= abs(along):
+        return None
+    way, root = (other - one) / apart, sqrt(reach**2 - along**2)
+    ways = [one + way * complex(along, side * root) for side in (1, -1)]
+    return max(ways, key=lambda place: place.imag), min(ways, key=lambda place: place.imag)
+
+
+def _of_five(
+    robot: FiveBar, ends: list[complex], ways: tuple[complex, complex], pivot: complex, lean: float
+) -> Drawing:
+    view = onto_plane((0.0, 0.0, 1.0))
+    assert view is not None
+    tip, other = ways
+    fixed = [0j, pivot]
+    strokes = [each for at in fixed for each in solids.ground(view, (*_place(at), 0.0), 2 * JOINT).strokes]
+    strokes += [Stroke((_place(end), _place(other)), "hidden") for end in ends]
+    strokes.append(Stroke((_place(0j), _place(pivot + 0.3)), "thin"))
+    links = [*zip(fixed, ends, strict=True), *((end, tip) for end in ends)]
+    strokes += [Stroke((_place(a), _place(b)), "link") for a, b in links]
+    for joint in (*fixed, *ends, tip):
+        strokes += solids.cylinder(view, (*_place(joint), 0.0), (0.0, 0.0, 1.0), 2 * JOINT).strokes
+    captions = [Caption(_place(tip), Words("P"), (0.0, 1.0), "joint", clear=1.2 * JOINT)]
+    for index, (at, turn) in enumerate(zip(fixed, (lean, 180 - lean), strict=True), 1):
+        arc = tuple(_place(at + 0.2 * exp(1j * radians(turn) * k / 20)) for k in range(21))
+        strokes.append(Stroke(arc, "turn"))
+        captions.append(Caption(arc[6], Symbol(f"theta_{index}"), (1.0, 0.4), "joint"))
+    names = [
+        ("a_1", robot.cranks[0]),
+        ("a_2", robot.cranks[1]),
+        ("b_1", robot.couplers[0]),
+        ("b_2", robot.couplers[1]),
+    ]
+    for k, ((a, b), (usual, size)) in enumerate(zip(links, names, strict=True)):
+        side = (-1.0, 0.2) if k % 2 == 0 else (1.0, 0.2)
+        captions.append(Caption(_place((a + b) / 2), _name(usual, size), side, "length", clear=0.4 * JOINT))
+    captions.append(Caption(_place(pivot / 2), _name("d", robot.ground), (0.0, -1.0), "length"))
+    return Drawing("figure", tuple(strokes), tuple(captions), Phrase("bars"), None, HIGH, schematic=True)
+
+
 def _four_bar(bars: dict[str, float], end: complex) -> tuple[complex, complex] | None:
     """Where the coupler and the rocker meet: the upper place first."""
-    pivot = complex(bars["ground"], 0)
-    apart = abs(end - pivot)
-    along = (apart**2 + bars["rocker"] ** 2 - bars["coupler"] ** 2) / (2 * apart)
-    if bars["rocker"] <= abs(along):
-        return None
-    way, root = (end - pivot) / apart, sqrt(bars["rocker"] ** 2 - along**2)
-    ways = [pivot + way * complex(along, side * root) for side in (1, -1)]
-    return max(ways, key=lambda place: place.imag), min(ways, key=lambda place: place.imag)
+    return _meeting(end, bars["coupler"], complex(bars["ground"], 0), bars["rocker"])
 
 
 def _slider(bars: dict[str, float], end: complex) -> tuple[complex, complex] | None:

@@ -11,7 +11,7 @@ from derive.figures.wish import Wish
 from derive.kinds.problem import Problem
 from derive.mechanics.frames import Frames
 from derive.mechanics.lagrangian import LagrangianSystem
-from derive.mechanics.linkages import FourBar, SliderCrank
+from derive.mechanics.linkages import FiveBar, FourBar, SliderCrank
 from derive.mechanics.mobility import Mechanism
 from derive.mechanics.motion import Motion
 from derive.mechanics.robot import Robot
@@ -34,7 +34,7 @@ def explains(problem: Problem, solutions: bool) -> bool:
             return True
         case Frames(frames=frames):
             return len(frames) <= MOST_FRAMES
-        case LagrangianSystem() | Mechanism() | FourBar() | SliderCrank():
+        case LagrangianSystem() | Mechanism() | FourBar() | SliderCrank() | FiveBar():
             return True  # where it can be drawn
         case Motion():
             return solutions
@@ -82,6 +82,10 @@ def figure_of(problem: Problem, wish: Wish = NOTHING) -> Drawing:
             from derive.figures import bars
 
             return bars.drawn(problem.subject)
+        case FiveBar():
+            from derive.figures import bars
+
+            return bars.five_bar(problem.subject)
         case LagrangianSystem():
             from derive.figures import lagrangians
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan, cos, degrees, pi, radians, sin, sqrt, tan
+from math import atan, cos, degrees, hypot, pi, radians, sin, sqrt, tan
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +11,9 @@ from scipy.spatial.transform import Rotation
 
 from derive.build import derive_all
 from derive.errors import SheetErrors
+from derive.expression import number
+from derive.figures.bars import five_bar
+from derive.mechanics.linkages import FiveBar
 from derive.sheet.load import load_sheet
 from tests.kinds.test_linkages import solved
 
@@ -78,6 +81,26 @@ def test_legs_of_a_platform(tmp_path: Path, convention: str) -> None:
     for k, leg in enumerate(legs, 1):
         assert question.derivation.evaluated[f"L_{k}"] == pytest.approx(leg)
         assert question.derivation.evaluated[f"l_{k}"] == pytest.approx(np.linalg.norm(leg))
+
+
+def test_a_five_bar_there_and_back(tmp_path: Path) -> None:
+    given = "{five-bar: {cranks: [1, 1.2], couplers: [1.5, 1.3], ground: 0.8}}"
+    ways = solved(tmp_path, given, "position", "{theta_1: 120 deg, theta_2: 60 deg}")
+    assert len(ways) == 2
+    for way in ways:
+        back = solved(tmp_path, given, "inverse-kinematics", f"{{x: {way['x']!r}, y: {way['y']!r}}}")
+        for leg, angle in ((1, 120), (2, 60)):
+            found = [degrees(each[f"theta_{leg}"]) for each in back if f"theta_{leg}" in each]
+            assert min(abs(each - angle) for each in found) < 1e-6
+
+
+def test_a_five_bar_is_drawn_to_its_lengths() -> None:
+    sizes = (number(10), number(12), number(15), number(13), number(8))
+    drawing = five_bar(FiveBar(sizes[:2], sizes[2:4], sizes[4]))
+    links = [stroke.places for stroke in drawing.strokes if stroke.role == "link"]
+    lengths = [hypot(b[0] - a[0], b[1] - a[1]) for a, b in links]
+    assert [each / lengths[0] for each in lengths] == pytest.approx([1, 1.2, 1.5, 1.3])
+    assert links[2][1] == links[3][1]
 
 
 def test_rates_of_legs_and_motors_by_differences(tmp_path: Path) -> None:

@@ -9,8 +9,9 @@ import sympy
 
 from derive.audit.asked import Asked, Same, Test
 from derive.audit.linkages import position, singularities, velocity
-from derive.audit.parallel import inverse_kinematics, jacobian
+from derive.audit.parallel import inverse_kinematics, jacobian, meeting
 from derive.audit.points import Point
+from derive.mechanics.linkages import FiveBar
 from derive.mechanics.mobility import Mechanism
 
 X, Y, Z = (tuple(row) for row in sympy.eye(3).tolist())
@@ -75,9 +76,14 @@ def _rank(motions: list[tuple[tuple[int, ...], tuple[int, ...]]]) -> int:
     return int(sympy.Matrix([[*omega, *v] for omega, v in motions]).rank())
 
 
+def _position(asked: Asked, point: Point) -> Iterator[Test]:
+    """Of two cranks or of one."""
+    yield from meeting(asked, point) if isinstance(asked.subject, FiveBar) else position(asked, point)
+
+
 KINDS = {
     "mobility": mobility,
-    "position": position,
+    "position": _position,
     "velocity": velocity,
     "singularities": singularities,
     "inverse-kinematics": inverse_kinematics,

@@ -50,3 +50,17 @@ class JacobianFacts(PageFacts):
     angles: tuple[Symbol, ...] = ()
     delta: bool = False
     along: Expr | None = None  # the direction of the first leg that extends
+
+
+class PositionFacts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...]
+    end: tuple[Symbol, Symbol]  # coordinates of the end of the crank
+    unknown: tuple[Symbol, ...]  # coordinates that are sought
+    rod: Symbol | None = None  # the bar that joins the crank to what it moves
+    rocker: tuple[Symbol, Symbol] | None = None  # its length and the ground
+    lines: tuple[str, ...] = ()  # of the working
+    offset: Expr | None = None  # of a slider
+    sides: tuple[Phrase, Phrase] | None = None  # on which the assemblies are
+    motors: tuple[Symbol, Symbol] | None = None  # the angles of two cranks
+    meeting: tuple[str, ...] = ()  # lines of the working for the point in which their couplers meet
+    sides_of_line: tuple[tuple[Phrase, str, str], ...] = ()  # where it lies, and the lines of its coordinates

@@ -47,6 +47,8 @@ def lengths_of_legs(
         work = work.knowing({first: column(foot), second: column(top)})
         work = work.line(vector, add(p, R * second if angles is not None else second) - first)
     for vector, length in zip(vectors, lengths, strict=True):
+        if all(entry == ZERO for entry in work.entries(vector)):
+            raise NotDerivable(f"leg {vector.name.rpartition('_')[2]} has no length in this pose", "position")
         formula = sqrt(add(*(squared(each) for each in work.entries(vector) if each != ZERO)))
         work = work.line(length, formula, value=formula if free_symbols(formula) else work.shown(formula))
     pages = {f"L{end}": vector.name for end, vector in zip(ends, vectors, strict=True)}

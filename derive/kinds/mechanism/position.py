@@ -1,39 +1,31 @@
-"""The position of a four-bar linkage or a slider-crank for an angle of its crank, each way to assemble it."""
+"""The position of a four-bar linkage, a slider-crank or a five-bar linkage, each way to assemble it."""
 
 from __future__ import annotations
 
-from derive.derivation import Derivation, PageFacts, Phrase
-from derive.expression import Expr, Symbol
+from derive.derivation import Derivation
 from derive.kinds.checks import route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.mechanism import _four_bar, _slider_crank
+from derive.kinds.mechanism._facts import PositionFacts as Facts
+from derive.kinds.mechanism._five_bar import meeting
 from derive.kinds.mechanism._loop import units_of
 from derive.kinds.mechanism._position_checks import closes, every_way, places
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
-from derive.mechanics.linkages import FourBar, SliderCrank
+from derive.mechanics.linkages import FiveBar, FourBar, SliderCrank
 
-NEEDS = ("lengths",)
-CLAIMS = ("closes", "every-way")
+NEEDS = ("loop",)
+CLAIMS = ("closes",)
 CLAIMED = {"solutions": "closes"}
 
 
-class Facts(PageFacts):
-    given: tuple[tuple[Expr, Expr], ...]
-    end: tuple[Symbol, Symbol]  # coordinates of the end of the crank
-    rod: Symbol  # the bar that joins the crank to what it moves
-    rocker: tuple[Symbol, Symbol] | None  # its length and the ground
-    lines: tuple[str, ...]  # of the working
-    offset: Expr | None  # of a slider
-    unknown: tuple[Symbol, ...]  # coordinates that are sought
-    sides: tuple[Phrase, Phrase]  # on which the assemblies are
-
-
-def derive(linkage: FourBar | SliderCrank, options: Options, problem: Problem) -> Derivation:
+def derive(linkage: FourBar | SliderCrank | FiveBar, options: Options, problem: Problem) -> Derivation:
     """Two circles, or a circle and a line, meet in two points (Norton, Design of Machinery, chapter 4).
 
     Raises NotDerivable where bars of these lengths cannot be joined.
     """
+    if isinstance(linkage, FiveBar):
+        return meeting(linkage, problem)
     recipe = _four_bar.closed(linkage, Work(problem)) if isinstance(linkage, FourBar) else (
         _slider_crank.closed(linkage, Work(problem))
     )  # fmt: skip

@@ -38,6 +38,7 @@ NOT_WANTED = {
         "the lengths of the bars are missing",
         "write {four-bar: {...}} or {slider-crank: {crank: r, rod: l}}",
     ),
+    "loop": ("the lengths of the bars are missing", "write {four-bar: {...}} or {five-bar: {...}}"),
     "motors": (
         "this is no robot with several motors",
         "write {five-bar: {...}}, {delta: {...}} or {stewart: {...}}",
@@ -46,6 +47,7 @@ NOT_WANTED = {
 WANTED: dict[str, tuple[type, ...]] = {
     "parts": (Mechanism,),
     "lengths": (FourBar, SliderCrank),
+    "loop": (FourBar, SliderCrank, FiveBar),
     "motors": (FiveBar, Delta, Stewart),
 }
 AS_WRITTEN = "write {revolute: 4}, four revolute joints, or {constraints: 4, count: 2}"
