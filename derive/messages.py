@@ -12,13 +12,12 @@ from typing import TYPE_CHECKING, NoReturn
 
 import click
 
-from derive.errors import SheetError, SheetErrors
+from derive.errors import SheetError, SheetErrors, written
 
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.status import Status
 
-LONGEST = 120  # columns of a line that is quoted whole
 PATIENCE = 1.0  # seconds before progress is shown
 FULL = (ENOSPC, EDQUOT, EFBIG)  # no room on the disk
 REPORT = "please report it at the project's issue page, with the sheet"
@@ -85,45 +84,6 @@ def report(errors: SheetErrors, outcome: str = "") -> None:
 def warn(warning: SheetError) -> None:
     """Something strange on the standard error, which stops nothing."""
     click.echo(written(SheetError(f"warning: {warning.message}", warning.place, warning.hint)), err=True)
-
-
-def written(error: SheetError) -> str:
-    """A fault as plain text: place and message, the line, a caret, what to write instead."""
-    place = error.place
-    if place is None:
-        lines = [error.message]
-    else:
-        lines = [f"{place}: {error.message}"]
-        if place.text:
-            text, column = _window(shown(place.text), place.column)
-            lines += [f"    {text}", f"    {' ' * _column(text, column)}^"]
-    if error.hint:
-        lines.append(f"    hint: {error.hint}")
-    return "\n".join(lines)
-
-
-def _window(text: str, column: int) -> tuple[str, int]:
-    """The part of a long line around a column, and the column in it."""
-    if len(text) <= LONGEST:
-        return text, column
-    start = max(0, min(column - 1 - LONGEST // 2, len(text) - LONGEST))
-    end = start + LONGEST
-    before, after = "..." * (start > 0), "..." * (end < len(text))
-    return before + text[start:end] + after, column - start + len(before)
-
-
-def shown(text: str) -> str:
-    """A line as one prints it: a tab is one blank wide, control characters are dots."""
-    return "".join(char if char.isprintable() else " " if char == "\t" else "." for char in text)
-
-
-def _column(text: str, column: int) -> int:
-    """How far to the right the caret stands: wide characters take two columns."""
-    from unicodedata import combining, east_asian_width
-
-    before = text[: column - 1]
-    wide = sum(east_asian_width(char) in "WF" for char in before)
-    return column - 1 + wide - sum(combining(char) > 0 for char in before)
 
 
 def _coloured(console: Console, error: SheetError) -> None:
