@@ -54,10 +54,7 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
             strokes.append(arc)
             captions.append(name)
     else:
-        for frame in frames.frames:
-            ends = origins[f"o{frame.parent}"], origins[f"o{frame.number}"]
-            if ends[0] != ends[1]:
-                strokes.append(Stroke((view.place(ends[0]), view.place(ends[1])), "way"))
+        strokes += _ways(_given(frames), origins, view)
     named = [(str(k), poses[k]) for k in numbers]
     arrows = [*arrows_drawn(view, shared(named, "xyz", size), size / LONG)]
     strokes += [stroke for stroke, _ in arrows]
@@ -68,7 +65,7 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
     strokes += [stroke for sign, _ in signs for stroke in sign]
     texts = (*(text for _, text in (*arrows, *signs)), *origin_names(view, named), *captions)
     ways = sum(stroke.role == "way" for stroke in strokes)
-    key = "frames-on-body" if wish.body else _called(ways, len(frames.frames))
+    key = "frames-on-body" if wish.body else _called(ways, len(_given(frames)), len(frames.frames))
     about: dict[str, Said] = {"last": Symbol(f"o{len(poses) - 1}")}
     return Drawing(
         "figure",
@@ -82,11 +79,26 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
     )
 
 
-def _called(ways: int, count: int) -> str:
-    """What is said of the frames, so many of which have another origin than that in which they are given."""
+def _given(frames: Frames) -> list[tuple[int, int]]:
+    """The frames with those in which they are given, each pair once."""
+    return [*dict.fromkeys((frame.parent, frame.number) for frame in (*frames.frames, *frames.again))]
+
+
+def _ways(given: Sequence[tuple[int, int]], origins: Mapping[str, Vector], view: View) -> Iterator[Stroke]:
+    """Lines between the origins of such pairs, where they are two places."""
+    for parent, number_ in given:
+        start, end = origins[f"o{parent}"], origins[f"o{number_}"]
+        if start != end:
+            yield Stroke((view.place(start), view.place(end)), "way")
+
+
+def _called(ways: int, given: int, count: int) -> str:
+    """What is said of so many frames and of the lines from where they are given, some in two frames."""
     if not ways:
         return "frames-together"
-    return "frames-partly" if ways < count else "frames" if count > 1 else "frames-two"
+    if ways < given:
+        return "frames-partly"
+    return "frames-twice" if given > count else "frames" if count > 1 else "frames-two"
 
 
 def wish_values(wish: Wish) -> dict[str, float]:

@@ -52,24 +52,28 @@ def _name(node: Expr) -> str:
 @dataclass(frozen=True, slots=True)
 class Spoken:
     """What goes by q on a sheet: the joint variables of `arms`, each with its notation and its first problem;
-    another quantity in problems without joints; a point of an axis by q and an index. Formulas of `silent`
-    arms do without q."""
+    another quantity in problems without joints; a point of an axis by q and an index, in these problems of
+    all that were `read`. Formulas of `silent` arms do without q."""
 
     arms: dict[tuple[str, ...], tuple[Notation, int]] = field(default_factory=dict)
     other: bool = False
     point: str = ""
+    points: tuple[int, ...] = ()
+    read: frozenset[int] = frozenset()
     silent: frozenset[tuple[str, ...]] = frozenset()
 
     def and_by(self, problem: ProblemPage, printed: Iterable[Printed]) -> Spoken:
         """With these formulas of a question."""
         formulas, variables = [*printed], problem.variables
-        point = self.point or (point_by_q(formulas, variables) if variables else "")
+        point = point_by_q(formulas, variables) if variables else ""
+        points = dict.fromkeys((*self.points, problem.number)) if point else self.points
+        known = replace(self, point=self.point or point, points=(*points,), read=self.read | {problem.number})
         if not speaks_of_q(formulas):
-            return replace(self, point=point, silent=self.silent | {variables} if variables else self.silent)
+            return replace(known, silent=self.silent | {variables} if variables else self.silent)
         if not variables:
-            return replace(self, point=point, other=True)
+            return replace(known, other=True)
         arms = {variables: (problem.notation, problem.number)} | self.arms
-        return replace(self, point=point, arms={**self.arms, **arms})
+        return replace(known, arms={**self.arms, **arms})
 
 
 def coordinates(spoken: Spoken, printed: list[Printed]) -> str:
@@ -87,4 +91,7 @@ def coordinates(spoken: Spoken, printed: list[Printed]) -> str:
     several, others = len(variables) > 1, len(spoken.arms) > 1
     alone_so = spoken.other or (not others and bool(spoken.silent - {*spoken.arms}))
     problem = number if alone_so else 0
-    return words.render(q=q, several=several, others=others, problem=problem, point=point).strip()
+    points = spoken.points if spoken.read - {*spoken.points} else ()
+    return words.render(
+        q=q, several=several, others=others, problem=problem, point=point, points=points
+    ).strip()

@@ -47,6 +47,7 @@ class Facts(PageFacts):
     given: Given | None = None
     restated: Restated | None = None
     found: Found | None = None
+    anew: bool = False  # the arm has other frames, by which it is given
     ends: tuple[End, ...]
     proof: Phrase | None
 
@@ -90,6 +91,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         given=moves,
         restated=products,
         found=found,
+        anew=not robot.by_screws,
         ends=tuple(End(why=Phrase(name), step=name) for name in rows.ends),
         proof=None if rows is given else Phrase("same-pose"),
     )
