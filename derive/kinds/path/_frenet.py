@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from derive.expression import Call, Derivative, Expr, Matrix, Symbol, cross, number, symbols
 from derive.kinds.path._shapes import QUARTER, Along
-from derive.kinds.path._sizes import settled, told
+from derive.kinds.path._sizes import settled, slope, told
 from derive.kinds.work import Work
 from derive.names import free
 
@@ -52,7 +52,8 @@ def differentiated(along: Along) -> Bent:
     p, s = along.p, along.s
     first, second = Symbol(f"{p.name}_{s.name}"), Symbol(f"{p.name}_{s.name}{s.name}")
     speed = Symbol(f"sigma_{s.name}")
-    work = along.work.line(first, Derivative(p, s)).line(second, Derivative(first, s))
+    work = along.work.line(first, Derivative(p, s), value=slope(along.work, p, s))
+    work = work.line(second, Derivative(first, s), value=slope(work, first, s))
     work = told(work, speed, abs_of(first))
     steady = not work.value(speed).diff(s.name)
     flat = work.matrix(p).shape[0] == 2

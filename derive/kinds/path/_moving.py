@@ -16,6 +16,7 @@ from derive.kinds.path._length import measured
 from derive.kinds.path._meanings import Made, made, meant
 from derive.kinds.path._motion import Motion, in_motion
 from derive.kinds.path._shapes import along
+from derive.kinds.path._sizes import slope
 from derive.kinds.path._spline import SplineTold, splined
 from derive.kinds.path._timing import T
 from derive.kinds.path._timing_checks import driven
@@ -113,7 +114,8 @@ def _by_the_time(problem: Problem, typed: bool) -> Moving:
     track = along(problem.subject.path, problem)
     p = track.p
     v, a = Symbol(f"{p.name}_dot"), Symbol(f"{p.name}_ddot")
-    work = track.work.line(v, Derivative(p, T)).line(a, Derivative(v, T))
+    work = track.work.line(v, Derivative(p, T), value=slope(track.work, p, T))
+    work = work.line(a, Derivative(v, T), value=slope(work, v, T))
 
     def meanings(point: Point) -> dict[Expr, Any]:
         known = completed(point, problem.where)

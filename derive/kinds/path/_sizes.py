@@ -10,7 +10,7 @@ from derive.algebra.readable.form import readable
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.algebra.values import Value
-from derive.expression import Call, Expr, Symbol, negate, rebuild
+from derive.expression import Call, Expr, Matrix, Symbol, column, negate, rebuild
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.paths import Arc
@@ -53,6 +53,13 @@ def _settled(value: Scalar, problem: Problem) -> Scalar:
         return rebuild(tree, sized)
 
     return normal(sized(readable(value, problem.style)))
+
+
+def slope(work: Work, name: Symbol, by: Symbol) -> Matrix:
+    """The derivative of a column on the board as it is written, each entry by itself: sin(24 t) in one is no
+    polynomial in the cosine of t because another holds that."""
+    entries = (normal(entry).diff(by.name) for entry in work.entries(name))
+    return column(work.readable(entry) for entry in entries)
 
 
 def positive_names(problem: Problem) -> frozenset[str]:

@@ -128,6 +128,25 @@ def test_least_rates_integrated_by_scipy(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("ranges", "said"),
+    [
+        (("[-180 deg, 180 deg]", "[-150 deg, 0]"), ("q_2$ < 0", "All joints keep their ranges")),
+        (("[-180 deg, 180 deg]", "[80 deg, 140 deg]"), ("q_2$ > 0", "leaves its range** at")),
+        (("[-1 deg, 1 deg]", "[0, 140 deg]"), ("q_2$ > 0", "begins beyond its range")),
+    ],
+)
+def test_joints_within_their_ranges(ranges: tuple[str, str], said: tuple[str, ...], tmp_path: Path) -> None:
+    links = TWO.replace("alpha: 0}", "alpha: 0, range: LIMITS}")
+    for each in ranges:
+        links = links.replace("LIMITS", each, 1)
+    text = SHEET.replace("LINKS", links).replace("PATH", LINE).replace("MORE", "")
+    sheet = tmp_path / "arm.yaml"
+    sheet.write_text(text, encoding="utf-8")
+    told = next(page for page in pages(sheet, tmp_path / "out", "md") if page.suffix == ".md").read_text()
+    assert said[0].replace("$", "") in told and said[1] in told
+
+
+@pytest.mark.parametrize(
     ("path", "more", "said"),
     [
         ("{line: {from: [0.2, 0.3], to: [0.5, 0.5]}}", "", "not given: add timing"),

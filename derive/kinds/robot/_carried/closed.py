@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import remainder, tau
 from typing import Any
@@ -16,6 +16,7 @@ from derive.kinds.path._timing import T
 from derive.kinds.robot._carried.checks import carries, rows_follow
 from derive.kinds.robot._carried.facts import Facts
 from derive.kinds.robot._carried.followed import MANY, Followed, entries, followed
+from derive.kinds.robot._carried.limits import holds, leaves, ranges_of, said_of_ranges
 from derive.kinds.robot._carried.rates import SINGULAR
 from derive.kinds.robot._carried.sampled import Sampled, moments, rows_of
 from derive.kinds.robot._carried.setting import Setting
@@ -56,10 +57,14 @@ def in_closed_form(given: Setting) -> Derivation:
     if found is not None and table is not None and given.driven is not None:
         work = work.claim(route("as-drawn", rows_follow(where, given.driven, found, given.point)))
         work = work.claim(route("as-tabled", (_is_row(row, told, given) for row in table.rows)))
+    ranges = ranges_of(given) if found is not None else {}
+    said = said_of_ranges(found, ranges)
+    if said is not None and found is not None:
+        work = work.claim(route("ranges-said", holds(said, found, ranges, _placed(given, told, found))))
     facts = Facts(
         way=given.moving.way, place=given.moving.names[0], coordinates=tuple(map(Symbol, where.names)),
         chosen=_chosen(given, branches), when=branch.branch.when, joints=tuple(step.name for step in steps),
-        table=table, drawn=found is not None,
+        table=table, drawn=found is not None, ranges=said,
     )  # fmt: skip
     units: dict[Expr | Phrase, str] = {
         Symbol(name): in_degrees(unit, given.turned) for name, unit in of_variables(problem.subject).items()
@@ -105,13 +110,16 @@ def _wanted(given: Setting, branches: Sequence[Followed]) -> tuple[Followed, Sam
         here = {**given.point, T.name: given.driven.ends[0]}
         branch = min(branches, key=lambda each: _away(each, here, near))
         return branch, _over_time(given, branch)
-    faults = []
+    faults, followed_ones = [], []
     for branch in branches:
         try:
-            return branch, _over_time(given, branch)
+            followed_ones.append((branch, _over_time(given, branch)))
         except NotDerivable as fault:
             faults.append(fault)
-    raise faults[0]
+    if not followed_ones:
+        raise faults[0]
+    ranges = ranges_of(given)
+    return next((each for each in followed_ones if leaves(each[1], ranges) is None), followed_ones[0])
 
 
 def _away(branch: Followed, at: Mapping[str, float], near: Mapping[str, float]) -> float:
@@ -145,6 +153,8 @@ def _over_time(given: Setting, branch: Followed) -> Sampled:
     for k, link in enumerate(link for link in given.problem.subject.links if link.variable):
         if link.joint == "revolute":
             q[:, k] = np.unwrap(q[:, k])
+            near = (given.begun or {}).get(link.variable, 0.0)
+            q[:, k] -= tau * round((q[0, k] - near) / tau)
     return Sampled(given.problem.subject, times, (q, qdot, qddot))
 
 
@@ -193,6 +203,19 @@ def _holds_at(given: Setting, told: Followed, closed: Closed, point: Mapping[str
 
     yield from carries(given.where, driven, in_turn, known)
     yield from carries(given.where, driven, as_results, known)
+
+
+def _placed(given: Setting, told: Followed, found: Sampled) -> Callable[[float], dict[str, float]]:
+    """The joint variables at a time as the lines say, with the whole turns of what was found."""
+    rows = dict(zip(map(float, found.times), found.values[0], strict=True))
+
+    def at(t: float) -> dict[str, float]:
+        here = told.numbers({**given.point, T.name: t})
+        near = rows[min(rows, key=lambda each: abs(each - t))]
+        turns = zip(found.robot.variables, near, strict=True)
+        return {name: q + remainder(here[name] - q, tau) for name, q in turns}
+
+    return at
 
 
 def _is_row(row: Any, told: Followed, given: Setting) -> bool:

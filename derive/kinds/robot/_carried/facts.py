@@ -27,3 +27,4 @@ class Facts(PageFacts):
     integrated: Integrated | None = None
     table: Table | None = None
     drawn: bool = False
+    ranges: Phrase | None = None  # where joints have some

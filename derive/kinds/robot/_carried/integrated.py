@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -14,6 +14,7 @@ from derive.kinds.checks import close, route
 from derive.kinds.path._timing import T
 from derive.kinds.robot._carried.checks import on_path, rows_follow
 from derive.kinds.robot._carried.facts import Facts, Integrated
+from derive.kinds.robot._carried.limits import holds, ranges_of, said_of_ranges
 from derive.kinds.robot._carried.rates import SUBSTEPS, Rates
 from derive.kinds.robot._carried.sampled import Sampled, rows_of
 from derive.kinds.robot._carried.setting import Setting
@@ -60,6 +61,10 @@ def by_rates(given: Setting) -> Derivation:
         route("as-drawn", rows_follow(where, given.driven, found, given.point)),
         route("as-tabled", (_is_row(row, rates, given) for row in table.rows)),
     )
+    ranges = ranges_of(given)
+    said = said_of_ranges(found, ranges)
+    if said is not None:
+        work = work.claim(route("ranges-said", holds(said, found, ranges, _between(found))))
     step = float(found.times[1] - found.times[0]) / SUBSTEPS
     redundant = len(where.rows) < len(typed)
     facts = Facts(
@@ -73,6 +78,7 @@ def by_rates(given: Setting) -> Derivation:
         table=table,
         drawn=True,
         numbers=(),
+        ranges=said,
     )
     units: dict[Expr | Phrase, str] = {
         Symbol(name): in_degrees(unit, given.turned) for name, unit in of_variables(problem.subject).items()
@@ -137,6 +143,18 @@ def _adds_up(found: Sampled) -> Iterator[bool]:
         h = high - low
         way = h / 2 * (rates[k] + rates[k + 1]) + h * h / 12 * (rises[k] - rises[k + 1])
         yield close(q[k + 1] - q[k], way, SURE)
+
+
+def _between(found: Sampled) -> Callable[[float], dict[str, float]]:
+    """The joint variables between two samples, by these, their rates and their accelerations."""
+
+    def at(t: float) -> dict[str, float]:
+        k = int(abs(found.times - t).argmin())
+        by = t - found.times[k]
+        q, rate, rise = (each[k] for each in found.values)
+        return dict(zip(found.robot.variables, map(float, q + by * rate + by * by / 2 * rise), strict=True))
+
+    return at
 
 
 def _is_row(row: Any, rates: Rates, given: Setting) -> bool:
