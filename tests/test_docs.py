@@ -60,3 +60,14 @@ def test_every_file_that_a_page_names_is_there(page: str) -> None:
     named = re.findall(r"`((?:derive|templates|tests|docs|exercises)/[\w./-]+)`", (ROOT / page).read_text())
     made = {path for path in FILLED if not (ROOT / path).exists()}
     assert [path for path in named if path not in made and not (ROOT / path).exists()] == []
+
+
+def test_the_code_on_the_python_page_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    page = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    scope: dict[str, object] = {}
+    for block in re.findall(r"```python\n(.*?)```", page, re.DOTALL):
+        exec(block, scope)
+    assert str(scope["J"].det().simplify()) == "l1*l2*sin(theta2)"  # type: ignore[attr-defined]
+    assert scope["elbow"]["when"] == "elbow down, theta2 > 0"  # type: ignore[index]
+    assert "first" in scope
