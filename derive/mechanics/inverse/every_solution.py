@@ -105,22 +105,16 @@ class EverySolution:
             if not near:
                 raise Undecided
             found += (self._regular(root, each) for each in near)
-        return tuple(each for k, each in enumerate(found) if not any(_same(each, one) for one in found[:k]))
+        return tuple(each for k, each in enumerate(found) if not any(same(each, one) for one in found[:k]))
 
     def _off(self, angles: Angles) -> float:
         return float(abs(self.sides(angles)[0]).max())
 
     def _regular(self, root: Root, start: Angles) -> Angles:
         end = polished(start, self.sides)
-        if root.meets or end is None or self._is_singular(end):
+        if root.meets or end is None or is_singular(end, self.sides):
             raise Undecided
         return end
-
-    def _is_singular(self, angles: Angles) -> bool:
-        import numpy as np
-
-        sizes = np.linalg.svd(self.sides(angles)[1], compute_uv=False)
-        return bool(sizes[-1] < SINGULAR * sizes[0])
 
     def _at(self, root: Root) -> Iterator[Angles]:
         """The joint angles at a root, but for rounding."""
@@ -160,7 +154,15 @@ class EverySolution:
         return q
 
 
-def polished(start: Angles, sides: Sides) -> Angles | None:
+def is_singular(angles: Angles, sides: Sides, least: float = SINGULAR) -> bool:
+    """Whether the Jacobian is, but for rounding."""
+    import numpy as np
+
+    sizes = np.linalg.svd(sides(angles)[1], compute_uv=False)
+    return bool(sizes[-1] < least * sizes[0])
+
+
+def polished(start: Angles, sides: Sides, near: float = SAME) -> Angles | None:
     """By Newton's method, angles from -pi to pi; None where that ends at no solution."""
     import numpy as np
 
@@ -172,12 +174,13 @@ def polished(start: Angles, sides: Sides) -> Angles | None:
         if np.abs(step).max() < CLOSE:
             break
     off, _ = sides(dict(zip(names, map(float, q), strict=True)))
-    if np.abs(off).max() > SAME:
+    if np.abs(off).max() > near:
         return None
     return {name: math.remainder(float(each), 2 * math.pi) for name, each in zip(names, q, strict=True)}
 
 
-def _same(one: Angles, other: Angles) -> bool:
+def same(one: Angles, other: Angles) -> bool:
+    """Up to whole turns."""
     return all(abs(math.remainder(one[name] - other[name], 2 * math.pi)) < SINGULAR for name in one)
 
 

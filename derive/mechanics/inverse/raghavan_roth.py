@@ -10,7 +10,7 @@ six; in x = tan(q/2) of q_4 and q_5, and once more times x_4, twelve in twelve p
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
@@ -30,6 +30,7 @@ CIRCLE = ((1, 0), (-1, 0), (0, 1))  # cosine and sine where a function of 1, cos
 HALF_ANGLE = ((1, 0, 1), (1, 0, -1), (0, 2, 0))  # 1, cosine and sine by powers of x, times 1 + x^2
 ZERO, ONE = fmpq(0), fmpq(1)
 AT = ((fmpq(3, 5), fmpq(4, 5)), (fmpq(-5, 13), fmpq(12, 13)))  # cosine and sine of some angles
+GOOD = 1e-3  # of singular values
 LEAST = 1e-9  # below which a number is zero but for rounding
 Vector = list[fmpq]
 Values = dict[tuple[int, ...], Vector]
@@ -109,13 +110,18 @@ class Elimination:
         return self.matrix((ONE - x * x) / ones, 2 * x / ones).det() * ones**8
 
 
-def eliminations(loop: Loop) -> list[Elimination]:
-    """With the loop begun at each joint, in both directions: those that do not vanish, the best first."""
+def eliminations(loop: Loop) -> Iterator[Elimination]:
+    """With the loop begun at each joint, in both directions: those that do not vanish, the
+    well-conditioned ones as they come, then the others, the best first."""
     both = (loop, loop.backwards())
     found = (_eliminated(each.beginning(k)) for each in both for k in range(len(loop.joints)))
-    tried = (each for one in found if one for each in (one, replace(one, powers=(3, 4))))
-    usable = [each for each in tried if each.condition > LEAST]
-    return sorted(usable, key=lambda each: each.condition, reverse=True)
+    others = []
+    for each in (each for one in found if one for each in (one, replace(one, powers=(3, 4)))):
+        if each.condition > GOOD:
+            yield each
+        elif each.condition > LEAST:
+            others.append(each)
+    yield from sorted(others, key=lambda each: each.condition, reverse=True)
 
 
 def _eliminated(loop: Loop) -> Elimination | None:

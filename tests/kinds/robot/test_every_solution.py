@@ -146,6 +146,21 @@ def test_a_general_arm_is_not_searched_to_the_end(tmp_path: Path) -> None:
     assert any(np.allclose([each[f"theta{k}"] for k in range(1, 7)], q) for each in told)
 
 
+def test_where_the_pose_lies_specially(tmp_path: Path) -> None:
+    """With the last axis along the first every elimination vanishes; solutions are followed from beside."""
+    rows: Rows = JACO
+    pose = np.diag([1.0, -1.0, -1.0, 1.0])
+    pose[:3, 3] = 0.4, 0.3, 0.2
+    found = question(rows, pose, tmp_path)
+    assert "polynomial" not in found["results"]
+    told = [[each[f"theta{k}"] for k in range(1, 7)] for each in found["evaluated"]["solutions"]]
+    assert all(np.abs(frames(rows, each)[-1] - pose).max() < 1e-9 for each in told)
+    *on_axes, end = frames(rows, [0.0] * 6)
+    for other in from_everywhere([(T[:3, 2], T[:3, 3]) for T in on_axes], end, pose, 1.0):
+        gaps = np.remainder(np.array(told) - other + 3, 2 * math.pi) - 3
+        assert np.abs(gaps).max(axis=1).min() < 1e-6
+
+
 def test_out_of_reach(tmp_path: Path) -> None:
     pose = frames(OFFSET_WRIST, [0.3, -0.7, 1.1, 0.4, -1.2, 2.0])[-1]
     pose[:3, 3] = 5, 0, 0

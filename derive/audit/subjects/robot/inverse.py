@@ -36,8 +36,10 @@ def inverse_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
     """Every branch, at some configurations; lengths that slide are drawn positive."""
     if point.exact:
         raise Irrational
-    if "polynomial" in asked.results:
-        yield from at_a_pose(asked)
+    if _are_numbers(asked):
+        if "polynomial" in asked.results:
+            yield from at_a_pose(asked)
+        yield Holds("solutions", True, "")  # they are those under evaluated
         yield from in_numbers(asked, point)
         return
     robot = asked.subject
@@ -147,6 +149,13 @@ def with_roots(asked: Asked, known: Point) -> list[Point]:
     real = [each.real for each in found if is_zero(each.imag, max(1, abs(each.real)))]
     real += [mpmath.inf] if half_turn else []
     return [known.where(**{root.name: each}) for each in real]
+
+
+def _are_numbers(asked: Asked) -> bool:
+    """Whether the solutions are those of one pose."""
+    branches = asked.objects("solutions")
+    values = [(name, asked.read(branch[name])) for branch in branches for name in asked.subject.variables]
+    return all(value.is_number or value == sympy.Symbol(name) for name, value in values)
 
 
 def _rounding(target: Values) -> Number:

@@ -9,7 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Branch, Derivation, Phrase, Result, Step
@@ -21,6 +23,7 @@ from derive.expression import (
     Call,
     Expr,
     Matrix,
+    Number,
     Product,
     Relation,
     Symbol,
@@ -39,14 +42,24 @@ from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.closed_loop import closed
-from derive.mechanics.inverse.every_solution import EverySolution
+from derive.mechanics.inverse.every_solution import EverySolution, Undecided
+from derive.mechanics.inverse.nearby import BESIDE, beside, followed
 from derive.mechanics.inverse.raghavan_roth import eliminations
 from derive.mechanics.inverse.six_axes import SixAxes
 from derive.names import free
 
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
 JOINTS = 6
 REACHED = 1e-6
 LARGEST = 1e7  # of a tangent
+SINGULAR = (
+    "no formula was found, and at this pose the solutions cannot all be told apart in numbers: the arm is "
+    "singular in one of them, or nearly so; numerical-inverse-kinematics finds one of them"
+)
 NO_FORMULA = (
     "no closed form found: no three neighboring axes of the arm are parallel or meet in one point, and its "
     "equations are too long to be searched further"
@@ -74,10 +87,13 @@ def derive(chain: Chain, target: Target, place: Place, problem: Problem) -> Deri
     values, solutions = found.evaluated, found.solutions
     ranges = Ranges.of(problem, place)
     values = ranges.judged(values)
-    checks = Checks(problem, chain, target, found.told, found.branches, values)
+    roots = tuple(math.tan(each[found.unknown] / 2) for each in found.every.solutions)
+    checks = Checks(problem, chain, target, found.told, found.branches, values, roots)
     work = Work(problem).showing(*found.told.steps)
     work = work.claim(*checks.claims()).claim(*ranges.claims(values))
-    results: dict[str, Result] = {"solutions": found.branches, "polynomial": found.told.polynomial.result}
+    results: dict[str, Result] = {"solutions": found.branches}
+    if not found.is_beside:
+        results["polynomial"] = found.told.polynomial.result
     facts = Facts(
         eliminated=found.told,
         at_pose=(found.end, _pose_by_names(target)),
@@ -118,30 +134,65 @@ class _AtPose:
         return SixAxes.of(self.chain, self.point, self.size)
 
     @cached_property
-    def every(self) -> EverySolution:
-        """By the first elimination that decides."""
+    def pose(self) -> Array:
+        """4 by 4."""
         import numpy as np
 
         pose = np.eye(4)
         for name, (i, j) in self.target.goal.places.items():
             pose[i, j] = self.point[name]
+        return pose
+
+    def solved(self, pose: Array) -> EverySolution | None:
+        """By the first elimination that decides, of full degree if there is one."""
         arm = self.arm
         loop = closed(arm.joints, arm.frames, arm.end, pose, self.size)
-        found = eliminations(loop)
-        for elimination in (*(each for each in found if each.is_whole), *found):
+        others = []
+        for elimination in eliminations(loop):
             every = EverySolution(elimination, arm.joints, partial(arm.sides, pose))
-            if every.decides:
+            if elimination.is_whole and every.decides:
                 return every
-        raise NotDerivable(
-            "no formula was found, and at this pose the elimination does not tell all solutions apart: the "
-            "arm is singular in one of them, or the pose lies specially; turn it a little, or use "
-            "numerical-inverse-kinematics, which finds one of them"
-        )
+            others.append(every)
+        return next((each for each in others if each.decides), None)
+
+    @cached_property
+    def every(self) -> EverySolution:
+        """At the pose, or beside it where that lies specially."""
+        found = self.at_the_pose or self.solved(beside(self.pose, 1, self.size))
+        if found is None:
+            raise NotDerivable(SINGULAR)
+        return found
+
+    @cached_property
+    def at_the_pose(self) -> EverySolution | None:
+        """None where every elimination vanishes there, or leaves something open."""
+        return self.solved(self.pose)
 
     @property
+    def is_beside(self) -> bool:
+        """Whether what is eliminated is not the pose itself."""
+        return self.at_the_pose is None
+
+    @cached_property
     def solutions(self) -> tuple[dict[str, float], ...]:
-        """The joint angles of each."""
-        return self.every.solutions
+        """The joint angles of each. Raises NotDerivable where the arm is singular in one."""
+        if not self.is_beside:
+            return self.every.solutions
+        try:
+            return followed(self.arm, self.pose, self._solutions_at)
+        except Undecided as error:
+            raise NotDerivable(SINGULAR) from error
+
+    def _solutions_at(self, pose: Array) -> tuple[dict[str, float], ...]:
+        found = self.solved(pose)
+        if found is None:
+            raise Undecided
+        return found.solutions
+
+    @property
+    def unknown(self) -> str:
+        """The joint that the polynomial is in."""
+        return self.every.elimination.unknown
 
     @cached_property
     def root(self) -> Symbol:
@@ -159,9 +210,8 @@ class _AtPose:
     @cached_property
     def evaluated(self) -> Evaluated:
         """The same under `evaluated`, with the root of each."""
-        unknown, root = self.every.elimination.unknown, self.root.name
-        roots = [math.tan(each[unknown] / 2) for each in self.solutions]
-        finite = all(abs(each) < LARGEST for each in roots)  # no number stands for half a turn
+        root, roots = self.root.name, [math.tan(each[self.unknown] / 2) for each in self.solutions]
+        finite = not self.is_beside and all(abs(x) < LARGEST for x in roots)  # half a turn has no number
         entries = [
             {**({root: x} if finite else {}), **{n: each[n] for n in self.chain.variables}, "when": ()}
             for x, each in zip(roots, self.solutions, strict=True)
@@ -211,6 +261,9 @@ class _AtPose:
             degree=polynomial.degree(),
             roots=Phrase({0: "no-real-root", 1: "one-real-root"}.get(count, "real-roots"), {"count": count}),
             shared=Phrase("shared-roots") if len(self.solutions) > count else None,
+            beside=Phrase("beside", {"angle": Number(Fraction(str(BESIDE)), decimal=True)})
+            if self.is_beside
+            else None,
         )
 
     @property

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 FOUND, SAME, NEAR = 1e-9, 1e-5, 1e-7
-LARGEST = 1e7  # of a tangent
+LARGEST, BESIDE = 1e7, 0.5  # of a tangent; of an angle beside the pose
 PLACES = 1441  # at which the polynomial is looked at
 COUNTS = {"no-real-root": 0, "one-real-root": 1}
 
@@ -42,6 +42,7 @@ class Checks:
     told: Eliminated
     branches: Sequence[Branch]
     values: Evaluated
+    roots: Sequence[float]  # of the polynomial, one for each solution
 
     def claims(self) -> Iterator[Claim]:
         """Of the numbers, of the polynomial, of what is eliminated and of why there is no formula."""
@@ -104,9 +105,12 @@ class Checks:
         import numpy as np
 
         tree, u = self.told.polynomial.result, self.told.root.name
-        for each in self._entries:
-            x = math.tan(each[self.told.unknown.name] / 2)
-            yield close(each.get(u, x), x, NEAR)
+        yield len(self.roots) == len(self._entries)
+        for each, x in zip(self._entries, self.roots, strict=False):
+            here = math.tan(each[self.told.unknown.name] / 2)
+            yield close(each.get(u, here), here, NEAR)
+            apart = abs(math.remainder(2 * (math.atan(x) - math.atan(here)), math.tau))
+            yield apart < (BESIDE if self.told.beside else NEAR)
             if abs(x) >= LARGEST:
                 continue
             step = 1e-3 * max(1.0, abs(x))

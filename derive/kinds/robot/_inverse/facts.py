@@ -153,7 +153,8 @@ class Eliminated(Record):
     """Of six joints that no formula inverts: `why`; the equation of poses that `cut`s the arm, with three
     joints on each side; those that are left (`triple`, with the `unknown`), the two and the `last` that
     are eliminated; the tangent of half the unknown, the polynomial of some `degree` in it, and how many
-    real `roots` that has, several solutions sharing one (`shared`)."""
+    real `roots` that has, several solutions sharing one (`shared`). All that is taken `beside` the
+    pose where the determinant is zero at the pose itself."""
 
     why: Phrase
     cut: Relation
@@ -168,6 +169,7 @@ class Eliminated(Record):
     degree: int
     roots: Phrase
     shared: Phrase | None
+    beside: Phrase | None
 
     @property
     def steps(self) -> tuple[Step, ...]:
