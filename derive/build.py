@@ -15,11 +15,11 @@ from derive.expression import ZERO
 from derive.figures.held import Misdrawn
 from derive.figures.wish import Wish
 from derive.giving import with_given
+from derive.kinds.bare_units import bare_units
 from derive.kinds.figures import explains, figure_of
 from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
 from derive.kinds.registry import words_folder
-from derive.kinds.robot._lengths import unit_of_lengths
 from derive.lettered import letters_of, unused_letters
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, figure_path
 from derive.render.lettering import STYLES, Style
@@ -224,7 +224,7 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
         problem.number, tuple(questions), problem.title, problem.text, figure, drawing,
         notation=notation, subject=problem.subject_name, place=problem.place,
         variables=problem.subject.variables if is_arm else (),
-        lengths=unit_of_lengths(working) if is_arm else "",
+        bare=bare_units(working),
     )  # fmt: skip
     return with_given(whole, problem, working)
 

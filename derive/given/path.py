@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from derive.algebra.formulas.with_units import measured
 from derive.derivation import Phrase, Said, Table
-from derive.expression import PI, Symbol, column, multiply, number
+from derive.expression import ONE, PI, Symbol, column, multiply, number
 from derive.given.datum import Datum, vector
 from derive.kinds.path._naming import place_name
 from derive.kinds.problem import Problem
@@ -67,6 +67,6 @@ def _arc(arc: Arc) -> Iterator[Datum]:
     if arc.pitch is not None:
         yield Datum(Phrase("pitch", {"pitch": measured(arc.pitch)}))
     if arc.turns is not None:
-        yield Datum(Phrase("turns", {"turns": arc.turns}))
+        yield Datum(Phrase("one-turn") if arc.turns == ONE else Phrase("turns", {"turns": arc.turns}))
     elif arc.angle != FULL:
         yield Datum(Phrase("turned", {"angle": arc.angle}))

@@ -20,9 +20,9 @@ SORTS = ("one", "sum", "name")
 WORDS = "words/_conventions.j2"
 
 
-def conventions(said: Sequence[Said], printed: list[Printed], metres: bool = False) -> str:
+def conventions(said: Sequence[Said], printed: list[Printed], bare: frozenset[str] = frozenset()) -> str:
     """The sentences for what stands in these formulas, "" where there is nothing to say; their own formulas
-    are added to `printed`. With `metres` lengths stand there as numbers without their unit."""
+    are added to `printed`. What was typed in `bare` units stands there as numbers."""
     formulas = [formula for part in said for formula in part.printed if formula.chains]
     short = [*_abbreviated(formulas)]
     seen = [shown(_equation(*each), each[1], printed) for each in _examples(short)]
@@ -31,7 +31,7 @@ def conventions(said: Sequence[Said], printed: list[Printed], metres: bool = Fal
     several = len(dict.fromkeys(call for call, _ in short)) > len(seen)
     found = environment().get_template(WORDS).render(
         abbreviations=seen, several=several, arctangent=arctangent, moves=[*_moves(formulas, printed)],
-        names=[*named(formulas, printed)], metres=metres,
+        names=[*named(formulas, printed)], bare=bare,
     )  # fmt: skip
     return found.strip()
 

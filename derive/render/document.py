@@ -103,7 +103,7 @@ class ProblemPage:
     given: tuple[Datum, ...] = ()
     place: Place | None = None
     variables: tuple[str, ...] = ()  # of the joints of an arm
-    lengths: str = ""  # the unit in which those of an arm are numbers
+    bare: frozenset[str] = frozenset()  # units of data that stand in formulas as numbers
 
     @property
     def marks(self) -> int | None:

@@ -326,11 +326,20 @@ def _whole(number: str) -> str:
 
 
 def _is_tall(entry: Expr) -> bool:
-    """Whether it is a fraction, or minus a fraction, with much above its line or a sum below it."""
+    """Whether it is a fraction, or minus a fraction, with much above its line or a sum or its root below."""
     match entry:
         case Quotient(top, below) | Product((_, Quotient(top, below))):
             long = isinstance(top, Product) and len(top.factors) > LONG_NUMERATOR
-            return long or isinstance(top, Sum) or isinstance(below, Sum)
+            return long or isinstance(top, Sum) or _is_sum_or_root(below)
+    return False
+
+
+def _is_sum_or_root(tree: Expr) -> bool:
+    match tree:
+        case Sum() | Power(Sum()):
+            return True
+        case Call(function="sqrt", arguments=(inside,)):
+            return isinstance(inside, Sum)
     return False
 
 

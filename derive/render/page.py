@@ -87,8 +87,8 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
         answers[problem.number, question.number] = answer
         said.append(Said(f"{problem.number}.{question.number}", question.place, tuple(printed)))
     taken: list[Printed] = []
-    metres = any(problem.lengths == "m" for problem in document.problems)
-    agreed = " ".join(filter(None, (conventions(said, taken, metres), coordinates(spoken, taken))))
+    bare = frozenset(unit for problem in document.problems for unit in problem.bare)
+    agreed = " ".join(filter(None, (conventions(said, taken, bare), coordinates(spoken, taken))))
     known = spelt(agreed, skin.formulas, taken) if document.solutions else ""
     said.append(Said("conventions", None, tuple(taken)))
     look = f"{skin.name}/page.j2"

@@ -18,7 +18,7 @@ from derive.render.width import width
 DOLLAR = "\x01"  # around what is Typst's mathematics already, until the page is laid out
 BLOCK = "\x02"  # before what a paragraph leads to, until the page is laid out
 IN_LINE = "m|long|emph|strong|link|raw"  # the calls that a paragraph may begin with
-LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\n(?={BLOCK})")
+LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\n(?=({BLOCK}+))")
 LISTS = re.compile(r"^(?=#(?:list|enum)\()", re.MULTILINE)
 SPOKEN = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}')  # what is not seen of a formula, and begins it
 BY_ITSELF = 200  # letters and signs: more than two lines
@@ -81,9 +81,12 @@ def _unbroken(found: re.Match[str]) -> str:
 
 
 def _led(found: re.Match[str]) -> str:
-    """A paragraph held to what it leads to; one that is long and has its full stop stands by itself."""
+    """A paragraph held to what it leads to; one that is long and has its full stop stands by itself, but not
+    before a question."""
     paragraph = found[1]
-    by_itself = paragraph.rstrip().endswith(".") and len(SPOKEN.sub("", paragraph)) > BY_ITSELF
+    by_itself = (
+        found[2] == BLOCK and paragraph.rstrip().endswith(".") and len(SPOKEN.sub("", paragraph)) > BY_ITSELF
+    )
     return found[0] if by_itself else f"#lead[{paragraph}]\n\n"
 
 

@@ -1,0 +1,35 @@
+"""Which units were typed with data that stand in formulas as numbers alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+from typing import Any, get_args
+
+from derive.expression import Expr, Number, walk
+from derive.kinds.problem import Problem
+from derive.kinds.robot._lengths import unit_of_lengths
+from derive.mechanics.paths import Path
+from derive.mechanics.robot import Robot
+
+TREES = get_args(Expr)
+
+
+def bare_units(problem: Problem) -> frozenset[str]:
+    """Meters where lengths of an arm or of a path were typed in them, seconds where times of a path were."""
+    if isinstance(problem.subject, Robot):
+        return frozenset(filter(None, (unit_of_lengths(problem),)))
+    if isinstance(problem.subject, Path):
+        units = "/".join(_units((problem.subject, *problem.where.values()))).split("/")
+        return frozenset(unit[0] for unit in units if unit and unit[0] in "ms")
+    return frozenset()
+
+
+def _units(value: Any) -> Iterator[str]:
+    """Those of all numbers in a record."""
+    if isinstance(value, TREES):
+        yield from (node.unit for node in walk(value) if isinstance(node, Number))
+    elif isinstance(value, tuple):
+        yield from (unit for each in value for unit in _units(each))
+    elif is_dataclass(value):
+        yield from (unit for field in fields(value) for unit in _units(getattr(value, field.name)))
