@@ -16,6 +16,12 @@ from derive.mechanics.oracle import compose
 from derive.mechanics.robot import DHRow, Link, Robot
 
 SMALL = 1e-9
+JOINT, ONE_OF_MANY, OF_WRIST = (
+    0.1,
+    0.07,
+    0.22,
+)  # of the whole arm: a joint, of more than MANY, of a wrist alone
+MANY = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,9 +147,11 @@ def length_between(a: Vector, b: Vector) -> float:
 
 
 def joint_size(posed: Posed) -> float:
-    """Of a joint on paper: a share of the whole arm, a larger one of a wrist that stands alone."""
+    """Of a joint on paper: a share of the whole arm, a smaller one where many names need room, and a
+    larger one of a wrist that stands alone."""
     places = posed.places
     spans = [max(p[k] for p in places) - min(p[k] for p in places) for k in range(3)]
     turning = [joint.at for joint in posed.joints if not joint.slides]
     wrist = len(posed.parts) == 1 and len(turning) > 2
-    return max(spans) * (0.22 if wrist else 0.1) if max(spans) > SMALL else 0.1
+    share = OF_WRIST if wrist else ONE_OF_MANY if len(posed.joints) > MANY else JOINT
+    return max(spans) * share if max(spans) > SMALL else JOINT
