@@ -52,7 +52,8 @@ def derive(given: GivenMatrix, options: Options, problem: Problem) -> Derivation
     sets = graded(problem, way, J, _search(given, problem), MOST)
     seen = _in_numbers(given, problem)
     lengths = lengths_told(seen, problem.assumptions, sets)
-    solutions, facts = branches(problem, sets, way.point), facts_of(problem, way, sets, lengths)
+    solutions = branches(problem, sets, way.point)
+    facts = facts_of(problem, way, sets, lengths, bool(given.sliding))
     results: dict[str, Result] = {
         "det": problem.final(way.det),
         "solutions": solutions,

@@ -31,6 +31,7 @@ from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.matrix_laws import acceleration_law
 from derive.kinds.robot._dynamics.solving import accelerations_at, equations_of_motion
 from derive.kinds.robot._dynamics.terms import Term, equation, equations
+from derive.kinds.robot._efforts import efforts
 from derive.kinds.robot._units import of_joints, together
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
@@ -66,6 +67,7 @@ class Facts(PageFacts):
     one: bool  # joint
     in_full: Phrase | None
     rubbing: Phrase | None = None  # in the equations of many joints
+    efforts: Phrase | None = None  # of its joints, there
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -144,7 +146,13 @@ def _as_equations(problem: Problem, arm: Arm) -> Derivation:
     )
     results = {"D": arm.inertia.results["D"], "h": solved.rest, "qddot": solved.system}
     work = by_index(work, results)
-    facts = Facts(one=False, in_full=None, rubbing=solved.rubbing, by_joint=("D", "h", "qddot"))
+    facts = Facts(
+        one=False,
+        in_full=None,
+        rubbing=solved.rubbing,
+        efforts=efforts(problem.subject),
+        by_joint=("D", "h", "qddot"),
+    )
     return work.answer("forward-dynamics", results, facts, matrices=frozenset({"D"}))
 
 

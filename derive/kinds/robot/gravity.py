@@ -9,6 +9,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
+from derive.kinds.robot._efforts import efforts
 from derive.kinds.robot._units import of_energies, of_joints, together
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import gravity_of, potential_energy
@@ -24,7 +25,7 @@ P, G_0 = symbols("P g_0")
 
 
 class Facts(PageFacts):
-    holding: Phrase  # what holds the arm at rest
+    efforts: Phrase  # what holds the arm at rest
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -43,9 +44,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     g = column(map(work.final, slopes))
     work = work.agrees("torques-at-rest", problem.symbols | {"g"}, g, oracle_of(problem).torques_at_rest)
     results = {"P": work.final(P), "g": g}
-    joints = {link.joint for link in robot.links if link.variable}
-    sort = "efforts" if len(joints) > 1 else "torques" if "revolute" in joints else "forces"
-    return by_index(work, results).answer("gravity", results, Facts(holding=Phrase(sort)))
+    return by_index(work, results).answer("gravity", results, Facts(efforts=efforts(robot)))
 
 
 def _energy(work: Work, body: Weighted) -> Work:

@@ -31,6 +31,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._degrees import in_degrees
 from derive.kinds.robot._determinants import as_product, determinant, gram_determinant, natural, product_tree
+from derive.kinds.robot._efforts import efforts
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.ways import seen_from_middle
@@ -71,6 +72,7 @@ class General(Record):
 
     rows: tuple[Symbol, ...]
     figure: Phrase
+    efforts: Phrase  # of the joints
     measure: Phrase  # what w tells
     best: tuple[tuple[Expr, Expr], ...]
     mixed: Phrase | None  # velocities and angular velocities
@@ -244,6 +246,7 @@ def _general(task: Task, best: tuple[tuple[Expr, Expr], ...]) -> General:
     return General(
         rows=task.velocities,
         figure=figure,
+        efforts=efforts(task.problem.subject),
         measure=volume if task.square or task.redundant else Phrase("thin"),
         best=best,
         mixed=Phrase("mixed") if len({row[0] for row in task.rows}) > 1 else None,

@@ -7,7 +7,7 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, number_rows
-from derive.derivation import Derivation, PageFacts, Phrase, Result
+from derive.derivation import Derivation, PageFacts, Phrase, Result, Said
 from derive.expression import Expr, Matrix, Symbol, add, multiply, symbols
 from derive.kinds.checks import route
 from derive.kinds.fields import NoOptions as Options
@@ -17,6 +17,7 @@ from derive.kinds.robot._dynamics.arm import DOTS, Arm
 from derive.kinds.robot._dynamics.definite import is_diagonal, is_positive, minors
 from derive.kinds.robot._dynamics.drives import friction_sorts
 from derive.kinds.robot._dynamics.index_laws import skew_law
+from derive.kinds.robot._efforts import efforts
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import time_derivative
 from derive.mechanics.robot import Robot
@@ -80,7 +81,8 @@ def _definite(values: list[list[float]], shown: Matrix | None) -> Phrase:
 
 def _power_told(robot: Robot) -> Phrase:
     """Whose power the rate of the kinetic energy is."""
-    return Phrase("power-of-forces-rubbing" if any(friction_sorts(robot)) else "power-of-forces")
+    about: dict[str, Said] = {"efforts": efforts(robot)}
+    return Phrase("power-of-forces-rubbing" if any(friction_sorts(robot)) else "power-of-forces", about)
 
 
 def _power(work: Work, arm: Arm, D: Matrix) -> Work:

@@ -13,6 +13,7 @@ from derive.algebra.numbers.floats import Point, number, number_rows, numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Phrase, Step, Table, as_matrix
 from derive.expression import (
+    ZERO,
     Expr,
     Matrix,
     Relation,
@@ -224,11 +225,17 @@ def _facts(
         elements=tuple(map(of_each, sorted(ELEMENTS))),
         about=Phrase(ABOUT[referred_to(problem)]),
         others=said_of_each(COLUMNS, (part.name for part in others)),
-        alike=Phrase("equal-here", {"equal": alike}) if alike else None,
+        alike=_told_alike(alike) if alike else None,
         terms=terms,
         numbers=printed,
         page_names={"parameters": THETA, "base_parameters": THETA_B},
     )
+
+
+def _told_alike(alike: tuple[Relation, ...]) -> Phrase:
+    """That they are, by the bodies given: of a single one that is zero, of others."""
+    alone = len(alike) == 1 and alike[0].right == ZERO
+    return Phrase("zero-here" if alone else "equal-here", {"equal": alike})
 
 
 def _moves_its_joint(robot: Robot, part: Standard) -> bool:

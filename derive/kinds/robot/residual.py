@@ -32,6 +32,7 @@ from derive.kinds.fields import Frequency, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_terms
+from derive.kinds.robot._efforts import effort
 from derive.kinds.robot._units import of_joints
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import kinetic_energy, rate_column
@@ -101,16 +102,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         gains=tuple(dict.fromkeys((each.k, each.gain) for each in names if each.k != each.gain)),
         slowest=tuple(dict.fromkeys(ONE / each.k for each in names)),
         rubbing=any(rubbing),
-        effort=_effort(robot),
+        effort=effort(robot),
         felt=None if len(names) == 1 else Phrase("felt-by-coupled" if robot.coupled else "felt-by-chain"),
     )
     return work.answer("residual", results, facts)
-
-
-def _effort(robot: Robot) -> Phrase:
-    """What a joint is driven by."""
-    sorts = {link.joint for link in robot.links if link.variable}
-    return Phrase("effort" if len(sorts) > 1 else "force" if sorts == {"prismatic"} else "torque")
 
 
 @dataclass(frozen=True, slots=True)

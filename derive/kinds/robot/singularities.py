@@ -53,7 +53,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     sets = _analysed(task, way)
     J = of_arm(task, way)
     lengths = lengths_told(J, problem.assumptions, sets)
-    solutions, facts = branches(problem, sets, way.point), facts_of(problem, way, sets, lengths)
+    sliding = any(link.joint != "revolute" for link in robot.links if link.variable)
+    solutions = branches(problem, sets, way.point)
+    facts = facts_of(problem, way, sets, lengths, sliding)
     results: dict[str, Result] = {
         "det": problem.final(way.det),
         "solutions": solutions,

@@ -15,6 +15,7 @@ from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_sorts
 from derive.kinds.robot._dynamics.linearisation import linear_at, linearised
 from derive.kinds.robot._dynamics.solving import first_order
+from derive.kinds.robot._efforts import effort
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
@@ -36,7 +37,7 @@ class Facts(PageFacts):
     long: bool
     viscous: bool
     coulomb: Phrase | None
-    held: bool
+    idle: Phrase | None  # what no joint needs there
     blocks: bool  # whether A and B are made of more than four and two entries
 
 
@@ -66,7 +67,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         long=bool(linear and linear.long),
         viscous=bool(linear and linear.friction),
         coulomb=Phrase("coulomb-left-out") if linear and friction_sorts(robot)[1] else None,
-        held=bool(linear and linear.torques),
+        idle=effort(robot) if linear and not linear.torques else None,
         blocks=len(robot.variables) > 1,
     )
     return work.answer("state-space", results, facts, matrices=frozenset({"A", "B"}))

@@ -17,6 +17,7 @@ from derive.expression import ZERO, Expr, Symbol, column, free_symbols, symbols,
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
+from derive.kinds.robot._efforts import effort, efforts
 from derive.kinds.robot._point import PointOn, tracked
 from derive.kinds.robot._units import of_joints, together
 from derive.kinds.robot._velocity.linear import combined
@@ -51,7 +52,8 @@ class Options(OptionsModel):
 class Facts(PageFacts):
     rows: tuple[Symbol, ...]  # none where all are meant
     where: Phrase  # the force acts
-    revolute: bool
+    effort: Phrase  # of a joint
+    efforts: Phrase  # of all joints
     moments: bool
     outside: Symbol | None  # what the surroundings exert on the robot
     seen: Seen | None = None  # from the other frame
@@ -158,7 +160,8 @@ def _facts(task: Task, options: Options) -> Facts:
     return Facts(
         rows=() if set(task.rows) >= {"vx", "vy", "vz", "wx", "wy", "wz"} else task.velocities,
         where=_where(task.asked, task.point.name),
-        revolute=all(joint.type == "revolute" for _, joint in task.found.moving),
+        effort=effort(task.problem.subject),
+        efforts=efforts(task.problem.subject),
         moments=any(row[0] == "w" for row in task.rows),
         outside=OUTSIDE if options.acting == "on-robot" else None,
     )

@@ -140,7 +140,8 @@ def dependent(problem: Problem, parameters: Sequence[Standard]) -> dict[int, dic
 def base_parameters(
     parameters: Sequence[Standard], made_of: Mapping[int, Mapping[int, Scalar]]
 ) -> tuple[Base, ...]:
-    """The independent columns, each with its own parameter and the shares of those it stands for."""
+    """The independent columns, each with its own parameter and the shares of those it stands for; these
+    may cancel for the bodies given."""
     found: list[Base] = []
     for i, own in enumerate(parameters):
         if i in made_of:
@@ -150,7 +151,6 @@ def base_parameters(
         for j, weights in made_of.items():
             if i in weights:
                 value = value + weights[i] * parameters[j].value
-        if value:
-            name = Symbol(f"Theta_{len(found) + 1}")
-            found.append(Base(name, ((own.name, Scalar.of(1)), *shares), value, own.column))
+        name = Symbol(f"Theta_{len(found) + 1}")
+        found.append(Base(name, ((own.name, Scalar.of(1)), *shares), value, own.column))
     return tuple(found)

@@ -9,7 +9,7 @@ from derive.algebra.infix import text
 from derive.algebra.rationals import significant_digits
 from derive.algebra.scalar import Scalar
 from derive.derivation import Phrase, Step, Table
-from derive.expression import Approximate, Expr, Indexed, Measured, Symbol, add, multiply, replace, walk
+from derive.expression import ZERO, Approximate, Expr, Indexed, Measured, Symbol, add, multiply, replace, walk
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.regressor import Base, Standard
 from derive.mechanics.regressor import MOMENTS
@@ -44,8 +44,9 @@ def made_of_others(
 
 def equal_ones(problem: Problem, base: Sequence[Base]) -> Iterator[tuple[Expr, Expr]]:
     """Theta_2 and Theta_3, or Theta_3 and a multiple of Theta_2, where this arm has them equal:
-    each beside the first that it goes with. Of numbers all are, and none is told."""
+    each beside the first that it goes with; and those that are zero. Of other numbers none is told."""
     first: list[Base] = []
+    yield from ((each.name, ZERO) for each in base if not each.value)
     for each in (each for each in base if each.value.constant is None):
         ratios = (((each.value / other.value).constant, other) for other in first)
         ratio, other = next(((ratio, other) for ratio, other in ratios if ratio is not None), (None, None))

@@ -76,10 +76,14 @@ class Facts(PageFacts):
     inside: Phrase | None  # what is said of those
     holding: Phrase | None  # where what is said of a set holds
     none: bool
+    sliding: bool  # whether a joint does not turn
 
 
-def facts_of(problem: Problem, way: Way, sets: tuple[Analysed, ...], lengths: Phrase | None) -> Facts:
-    """The way, and each set with its cases; what is taken for granted of `lengths`."""
+def facts_of(
+    problem: Problem, way: Way, sets: tuple[Analysed, ...], lengths: Phrase | None, sliding: bool
+) -> Facts:
+    """The way, and each set with its cases; what is taken for granted of `lengths`; whether there are
+    `sliding` joints."""
     inner = tuple(each for each in sets if each.inner)
     none, outer = not sets and way.complete, len(sets) - len(inner)
     return Facts(
@@ -93,6 +97,7 @@ def facts_of(problem: Problem, way: Way, sets: tuple[Analysed, ...], lengths: Ph
         inside=Phrase("inside-of-a-wrist" if way.name == "wrist" else "inside-these") if inner else None,
         holding=_holding(len({each.rank for each in sets}) > 1, all(each.exact for each in sets)),
         none=none,
+        sliding=sliding,
     )
 
 
