@@ -70,6 +70,23 @@ def meeting(asked: Asked, point: Point) -> Iterator[Test]:
             )
 
 
+def five_bar_singularities(asked: Asked, point: Point) -> Iterator[Test]:
+    """Sums and differences of two bars that belong together."""
+    robot = asked.subject
+    (a_1, a_2), (b_1, b_2) = (tuple(map(asked.formula, bars)) for bars in (robot.cranks, robot.couplers))
+    pairs = {"r_1": (a_1, b_1), "r_2": (a_2, b_2), "e": (b_1, b_2)}
+    lists = {"solutions": point.in_digits()} | (
+        {"evaluated solutions": asked.here} if asked.evaluated else {}
+    )
+    for name, place in lists.items():
+        for told in asked.objects(name):
+            ((what, value),) = ((key, each) for key, each in told.items() if key != "when")
+            size = place.at(asked.read(value))
+            one, other = (place.at(each) for each in pairs[what])
+            near = min(abs(size - (one + other)), abs(size - abs(one - other)))
+            yield Holds(name, bool(near < ROUGH), "no bars lie in line")
+
+
 def jacobian(asked: Asked, point: Point) -> Iterator[Test]:
     """The squares of the rods differentiated; or directions of the legs, and their moments."""
     robot = asked.subject

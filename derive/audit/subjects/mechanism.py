@@ -9,7 +9,7 @@ import sympy
 
 from derive.audit.asked import Asked, Same, Test
 from derive.audit.linkages import position, singularities, velocity
-from derive.audit.parallel import inverse_kinematics, jacobian, meeting
+from derive.audit.parallel import five_bar_singularities, inverse_kinematics, jacobian, meeting
 from derive.audit.points import Point
 from derive.mechanics.linkages import FiveBar
 from derive.mechanics.mobility import Mechanism
@@ -81,11 +81,15 @@ def _position(asked: Asked, point: Point) -> Iterator[Test]:
     yield from meeting(asked, point) if isinstance(asked.subject, FiveBar) else position(asked, point)
 
 
+def _singularities(asked: Asked, point: Point) -> Iterator[Test]:
+    yield from (five_bar_singularities if isinstance(asked.subject, FiveBar) else singularities)(asked, point)
+
+
 KINDS = {
     "mobility": mobility,
     "position": _position,
     "velocity": velocity,
-    "singularities": singularities,
+    "singularities": _singularities,
     "inverse-kinematics": inverse_kinematics,
     "jacobian": jacobian,
 }

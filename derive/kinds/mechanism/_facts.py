@@ -64,3 +64,20 @@ class PositionFacts(PageFacts):
     motors: tuple[Symbol, Symbol] | None = None  # the angles of two cranks
     meeting: tuple[str, ...] = ()  # lines of the working for the point in which their couplers meet
     sides_of_line: tuple[tuple[Phrase, str, str], ...] = ()  # where it lies, and the lines of its coordinates
+
+
+# How bars lie, the step that says where, and that it is nowhere.
+Singular: TypeAlias = tuple[Phrase, str, Phrase | None]
+
+
+class SingularFacts(PageFacts):
+    det: tuple[Expr, ...] = ()
+    factors: tuple[Expr, Expr] | None = None  # of the determinant, and of the rate of what is moved
+    unbounded: tuple[Singular, ...] = ()
+    at_rest: tuple[Singular, ...] = ()
+    last: Symbol | None = None  # the rate of what is moved
+    four: bool = False
+    angle: Symbol | None = None
+    distances: tuple[Symbol, Symbol, Symbol] | None = None  # of the point from the pivots; of the elbows
+    at_border: tuple[tuple[Phrase, str], ...] = ()  # legs in line, and the steps of their distances
+    loose: tuple[tuple[Phrase, str], ...] = ()  # couplers in line

@@ -1,10 +1,10 @@
-"""Where a four-bar linkage or a slider-crank is singular: the positions in which its bars lie in line."""
+"""Where a linkage of four or five bars or a slider-crank is singular: positions with bars in line."""
 
 from __future__ import annotations
 
 from derive.algebra.formulas.quantities import rational
 from derive.algebra.normal import normal
-from derive.derivation import Branch, Derivation, PageFacts, Phrase, Step
+from derive.derivation import Branch, Derivation, Phrase, Step
 from derive.expression import (
     PI,
     ZERO,
@@ -22,44 +22,36 @@ from derive.kinds.checks import route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.mechanism import _four_bar as _four_bar_names
 from derive.kinds.mechanism import _slider_crank as _slider_crank_names
+from derive.kinds.mechanism._facts import Singular
+from derive.kinds.mechanism._facts import SingularFacts as Facts
+from derive.kinds.mechanism._five_bar_singular import of_five_bars
 from derive.kinds.mechanism._loop import loop_of
 from derive.kinds.mechanism._singular_checks import all_found
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
-from derive.mechanics.linkages import FourBar, SliderCrank
+from derive.mechanics.linkages import FiveBar, FourBar, SliderCrank
 
-NEEDS = ("lengths",)
+NEEDS = ("loop",)
 CLAIMS = ("all-around",)
 TWO = number(2)
 CLAIMED = {"solutions": "all-around"}
 
 
-Place = tuple[Phrase, str, Phrase | None]  # how bars lie, the step that says where, and that it is nowhere
-
-
-class Facts(PageFacts):
-    det: tuple[Expr, ...]
-    factors: tuple[Expr, Expr]  # of the determinant, and of the rate of what is moved
-    unbounded: tuple[Place, ...]
-    at_rest: tuple[Place, ...]
-    last: Symbol  # the rate of what is moved
-    four: bool
-    angle: Symbol
-
-
-def derive(linkage: FourBar | SliderCrank, options: Options, problem: Problem) -> Derivation:
+def derive(linkage: FourBar | SliderCrank | FiveBar, options: Options, problem: Problem) -> Derivation:
     """sin(theta_3 - theta_4) = 0 and sin(theta_2 - theta_3) = 0 (Gosselin and Angeles, Singularity analysis
     of closed-loop kinematic chains; toggle and limit positions of Norton, Design of Machinery, section 3.3).
 
     Raises NotDerivable where bars of these lengths cannot be joined.
     """
+    if isinstance(linkage, FiveBar):
+        return of_five_bars(linkage, problem)
     rates = problem.ask("velocity")
     work, loop = loop_of(linkage, Work(problem, uses=(rates,)))
     theta, (third, last) = loop.angle, loop.unknown
     four = isinstance(linkage, FourBar)
     rows = _four_bar(linkage, work) if isinstance(linkage, FourBar) else _slider_crank(linkage, work)
     head = cos(theta) if four else sin(theta)
-    branches, places = list[Branch](), list[Place]()
+    branches, places = list[Branch](), list[Singular]()
     for key, formula in rows:
         value = work.shown(formula)
         links = (head, formula) if value == formula else (head, formula, value)
