@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import chain
 from typing import Any
 
+from derive.algebra.formulas.with_units import measured
 from derive.derivation import Phrase, Record, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
@@ -77,7 +78,7 @@ class Moved:
         given = ((name, self.work[name]) for name in self.time.given.values())
         return Motion(
             said=_law_told(self.time, self.found),
-            given=tuple((name, value) for name, value in given if value != name),
+            given=tuple((name, measured(value)) for name, value in given if value != name),
             sizes=self.time.lines,
             pieces=tuple(
                 PieceTold(said=_when(self.time, k), lines=tuple(step.name for step in laws))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from derive.algebra.formulas.with_units import measured, unit_of
 from derive.derivation import Phrase
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.path._shapes import Along
 from derive.kinds.work import Work
 from derive.mechanics.paths import Arc, Curve, Line, Path
@@ -13,7 +14,15 @@ def given_names(work: Work, along: Along) -> tuple[tuple[Expr, Expr], ...]:
     """What was given by a name that is not its author's; a radius that its start says is told by a line."""
     told = {step.name for step in work.steps}
     names = [name for name in along.given.values() if name.name not in told]
-    return tuple((name, work[name]) for name in names if work[name] != name)
+    return tuple((name, _with_unit(work[name])) for name in names if work[name] != name)
+
+
+def _with_unit(value: Expr) -> Expr:
+    """A number or a place with the unit that its author gave it."""
+    if not isinstance(value, Matrix):
+        return measured(value)
+    units = (unit_of(entry) for row in value.rows for entry in row)
+    return measured(value, next(filter(None, units), ""))
 
 
 def shape_told(path: Path, s: Symbol) -> Phrase:
