@@ -138,10 +138,10 @@ def test_roots_in_coefficients() -> None:
 
 
 def test_names_of_the_page_give_way() -> None:
-    found = ask(plain("s^3 + r_1*s^2 + epsilon*s + A_2"))
+    found = ask(plain("s^3 + rho_1*s^2 + epsilon*s + A_2"))
     names = {step.chain[0] for step in found.steps if step.rule == "entry"}
     assert Symbol("q_31") in names
-    assert said(found) == ("r_1 > 0", "A_2 > 0", "r_1*epsilon > A_2")
+    assert said(found) == ("rho_1 > 0", "A_2 > 0", "rho_1*epsilon > A_2")
 
 
 def test_what_is_refused() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator
 from functools import partial
 from typing import Annotated, Any, Literal
 
@@ -9,6 +10,7 @@ from pydantic import AfterValidator, Field
 
 from derive.algebra.normal import Names, normal, normal_matrix
 from derive.algebra.numbers.floats import Point
+from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Branch, Derivation, PageFacts, Phrase, Result, Step
 from derive.expression import (
     ZERO,
@@ -24,6 +26,7 @@ from derive.expression import (
     symbols,
     transpose,
 )
+from derive.kinds.checks import random_points, route
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.meanings import as_told, column_of
 from derive.kinds.pose._euler_checks import rotation_at
@@ -41,7 +44,9 @@ SUBJECTS = ("motion", "frames", "robot")
 T, OMEGA = symbols("T omega")
 AXES = symbols("omega_x omega_y omega_z")
 DIFFERENCES = 1e-6
-CLAIMS = ("angular-velocities", "inverse", "singular", "differences")
+NEAR = 1e-3  # a singular angle (rad)
+GREAT = 100.0  # rates for an angular velocity of size one
+CLAIMS = ("angular-velocities", "inverse", "singular", "grow", "differences")
 CLAIMED = {"singular": "singular"}
 
 
@@ -121,7 +126,20 @@ def _proved(work: Work, euler: Euler, facts: Facts) -> Work:
     )  # twice in each turn of the middle angle
     ends = zip(map(Symbol, (euler.outer[0], euler.outer[2])), facts.outer, strict=True)
     symbols = {*euler.names, *(f"{name}_dot" for name in euler.names)}
+    grow = route("grow", _grow(euler, facts, symbols), outer=facts.outer, middle=facts.zeros[0][0])
+    work = work.claim(grow)
     return as_told(work, partial(_meant, euler, body), ends, "differences", DIFFERENCES, symbols)
+
+
+def _grow(euler: Euler, facts: Facts, symbols: Collection[str]) -> Iterator[bool]:
+    """Whether near each singular angle those rates, and no others, are great for some angular velocity."""
+    import numpy as np
+
+    for (name, value), at in zip(facts.zeros, random_points(symbols, len(facts.zeros)), strict=False):
+        near = {**at, name.name: value_of(value, {}) + NEAR}
+        rates = np.linalg.inv(np.array(_meant(euler, facts.body, near)[T], dtype=float))
+        great = np.linalg.norm(rates, axis=1) > GREAT
+        yield [each in {angle.name for angle in facts.outer} for each in euler.names] == great.tolist()
 
 
 def _meant(euler: Euler, body: bool, at: Point) -> Names:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from string import digits
 
 from derive.algebra.numbers.balls import number_sign
 from derive.algebra.scalar import Scalar
@@ -112,9 +113,9 @@ def _array(polynomial: Polynomial, solved: Plant, controller: Controller | None)
     sides = [side for equation in solved.system.equations for side in (equation.left, equation.right)]
     sides += [*solved.problem.where.values(), *(controller.gains if controller else ())]
     taken = frozenset[str]().union(*map(free_symbols, sides)) | set(solved.problem.where)
-    indexed = {name[0] for name in taken if name[1:].strip("_").isdigit()}
+    indexed = {name.rstrip(digits).rstrip("_") for name in taken if name[-1:].isdigit()}
     epsilon = free(taken, "epsilon", "delta", "eta")
-    letter = free(indexed, "r", "q", "w")
+    letter = free(indexed, "rho", "q", "w")  # r_ij is an entry of R on other pages
     auxiliary = free(indexed, "A", "P", "Q")
     rows = routh(polynomial, epsilon)
     return Array(polynomial, rows, trees_of(rows, solved.style), solved.style, letter, epsilon, auxiliary)

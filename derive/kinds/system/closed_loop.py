@@ -233,10 +233,11 @@ def _evaluated(found: Closed, options: Options) -> tuple[dict[str, Any], LoopAtP
         return functions, told
     whole = solved.numeric(found.transfer)
     poles, zeros = roots(numeric.den), roots(numeric.num) if numeric.num else ()
+    gains = Phrase("this-gain" if len(found.controller.family) == 1 else "these-gains")
     return {**functions, "poles": poles_json(numeric), "zeros": zeros_json(numeric)}, replace(
         told,
         poles=roots_told(poles),
         zeros=roots_told(zeros),
-        verdict=Phrase(verdict(whole.den)),
+        verdict=Phrase(verdict(whole.den), {"gains": gains}),
         hidden=Phrase("growth-cancels") if verdict(numeric.den) == "stable" != verdict(whole.den) else None,
     )
