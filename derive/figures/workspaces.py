@@ -47,14 +47,17 @@ class Sizes:
             if radius > 0:
                 about: dict[str, Said] = {
                     "name": Symbol(name),
-                    "value": Approximate(radius),
+                    "value": Approximate(math.hypot(radius, self.side)),
                     "unit": self.unit,
                 }
                 yield Phrase(key, about | {"unit": self.unit}), radius
 
     def said(self) -> dict[str, Said]:
         """The distances for who does not see them."""
-        return {"near": short(self.near), "far": short(self.far)}
+        return {
+            "near": short(math.hypot(self.near, self.side)),
+            "far": short(math.hypot(self.far, self.side)),
+        }
 
 
 def from_above(sizes: Sizes, secondary: tuple[float, float] | None) -> Plot:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import Any, TypeAlias
 
@@ -111,12 +111,19 @@ class _Told:
 
     work: Work
     meanings: Mapping[str, Meaning]
+    free: dict[int, frozenset[str]] = field(default_factory=dict)  # names in trees, by where these are kept
+
+    def _names_in(self, tree: Expr) -> frozenset[str]:
+        """Those of a tree of the board or of the results, which are long and asked for again and again."""
+        if id(tree) not in self.free:
+            self.free[id(tree)] = free_symbols(tree)
+        return self.free[id(tree)]
 
     def things(self, results: Mapping[str, Result]) -> Iterator[Thing]:
         """Those whose value is written in symbols of the sheet and names of numbers."""
         board = ((name.name, tree) for name, tree in self._own() if isinstance(name, Symbol))
         for name, tree in dict.fromkeys((*board, *results.items())):
-            if isinstance(tree, TREES) and free_symbols(tree) <= self._valued:
+            if isinstance(tree, TREES) and self._names_in(tree) <= self._valued:
                 yield from self._things(name, tree)
         for named, tree in self._own():
             if isinstance(named, Indexed) and named.base == "Trans":
@@ -134,15 +141,24 @@ class _Told:
 
     def held(self, things: list[Thing]) -> Iterator[bool]:
         """Of each at each point whether it is what its name says."""
-        met = 0
+        met, needed = 0, self._needed(things)
         for at in random_points(self._points, TRIES):
             with suppress(NotReal):
                 arm = self._arm(at)
-                names = completed(arm.at, self._scalars)
+                names = completed(arm.at, needed)
                 yield from [thing.is_meant(arm, names) for thing in things]
                 met += 1
             if met == POINTS:
                 return
+
+    def _needed(self, things: list[Thing]) -> dict[str, Expr]:
+        """The names of numbers that these things are written in, and those in which these are."""
+        found: dict[str, Expr] = {}
+        pending = {name for thing in things for name in self._names_in(thing.tree)}
+        while pending := {name for name in pending if name in self._scalars and name not in found}:
+            found |= {name: self._scalars[name] for name in pending}
+            pending = {other for name in pending for other in self._names_in(self._scalars[name])}
+        return found
 
     def _arm(self, at: Point) -> Heavy:
         """The arm there, the same for all questions about it."""
@@ -180,7 +196,7 @@ class _Told:
     def _valued(self) -> frozenset[str]:
         """Every name that has a value at a point."""
         found = {*self._points, *self.work.problem.where, "pi"}
-        pending = {name: free_symbols(tree) for name, tree in self._scalars.items()}
+        pending = {name: self._names_in(tree) for name, tree in self._scalars.items()}
         while ready := [name for name, needed in pending.items() if needed <= found]:
             found.update(ready)
             pending = {name: needed for name, needed in pending.items() if name not in found}

@@ -16,6 +16,7 @@ from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
+MOST_TERMS = 30_000  # of all symbols; more take longer than anyone waits
 CLAIMS = ("names", "symmetric", "skew-symmetric", "others-vanish")
 
 
@@ -30,6 +31,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """c_ijk = (d_kj,i + d_ki,j - d_ij,k) / 2 (Spong et al., eq. 6.38)."""
     arm = Arm(problem)
     big, D, symbols = arm.inertia.told(InertiaFacts).big, arm.D, arm.christoffel
+    arm.refuse_vast(MOST_TERMS)
     work = Work(problem).resting_on(arm.inertia).showing(christoffel_law(problem.taken))
     told = () if big else shown(symbols)
     work = work if big else lines(work, symbols, arm.variables, arm.final)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Literal
 
@@ -261,6 +262,8 @@ def _as_drawn(
         if plot.unscaled or not plot.series:
             continue
         point = oracle_of(problem).at(point_of(dict(options.evaluate or ()), problem.where))
-        radii = [max(ys) for _, ys in plot.series.values()]
-        distances = [size for size in (numeric.number(tree, point) for tree in told) if size > NOTHING]
-        yield route("drawn", close(radii, distances, NEARLY))
+        curves = plot.series.values()
+        radii = [max(map(math.hypot, xs, ys)) for xs, ys in curves]
+        distances = [numeric.number(tree, point) for tree in told]
+        yield route("drawn", (any(close(r, d, NEARLY) for d in distances) for r in radii))
+        yield route("drawn", close(max(radii), max(distances), NEARLY))

@@ -73,3 +73,11 @@ def test_an_arm_within_ranges_is_refused(tmp_path: Path) -> None:
     with pytest.raises(SheetErrors) as fault:
         asked(rows, tmp_path)
     assert "not derived yet" in str(fault.value.errors[0])
+
+
+def test_boundaries_of_links_to_the_side_of_an_axis_are_those_told(tmp_path: Path) -> None:
+    """The PUMA 560 of Corke: what is drawn of the wrist is as far from the shoulder as the page says."""
+    rows = """    - {theta: q1*, d: 0, a: 0, alpha: 90 deg}
+    - {theta: q2*, d: 0, a: 0.4318, alpha: 0}
+    - {theta: q3*, d: 0.15005, a: 0.4318, alpha: 0}"""
+    assert asked(rows, tmp_path)["description"] == "empty"

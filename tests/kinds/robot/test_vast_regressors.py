@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
+from derive.errors import SheetErrors
 from tests.sheets import pages
 
 IIWA = [("d1", -90), (0, 90), ("d3", 90), (0, -90), ("d5", -90), (0, 90), ("d7", 0)]
@@ -27,13 +29,13 @@ VALUES = {
 }
 
 
-def sheet(folder: Path, evaluate: str = "") -> dict[str, Any]:
+def sheet(folder: Path, evaluate: str = "", find: str = "regressor") -> dict[str, Any]:
     """The one answer of an iiwa with any bodies."""
     rows = (
         f"    - {{theta: q{k}*, d: {d}, a: 0, alpha: {twist} deg, {BODY.format(k=k)}}}"
         for k, (d, twist) in enumerate(IIWA, 1)
     )
-    lines = ("title: An arm", "problems:", "- robot:", "    links:", *rows, "  find: regressor", evaluate)
+    lines = ("title: An arm", "problems:", "- robot:", "    links:", *rows, f"  find: {find}", evaluate)
     path = folder / "sheet.yaml"
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     (page,) = pages(path, folder / "out", "json")
@@ -56,3 +58,9 @@ def test_an_arm_of_seven_joints_has_43_base_parameters(tmp_path: Path) -> None:
     }
     assert told["Y"].shape == (7, 58) and told["Y_b"].shape == (7, 43)
     assert np.allclose(told["Y"] @ told["parameters"], told["Y_b"] @ told["base_parameters"])
+
+
+def test_equations_that_are_too_long_are_refused_before_the_work(tmp_path: Path) -> None:
+    with pytest.raises(SheetErrors) as fault:
+        sheet(tmp_path, find="forward-dynamics")
+    assert "too many (more than" in str(fault.value.errors[0])

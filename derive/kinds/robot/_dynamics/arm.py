@@ -11,6 +11,7 @@ from derive.algebra.numbers.compiled import compiled
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
+from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
@@ -60,6 +61,16 @@ class Arm:
     def christoffel(self) -> Christoffel:
         """Every c_ijk of that matrix."""
         return christoffel(self.D, self.variables)
+
+    def refuse_vast(self, most: int) -> None:
+        """Raises NotDerivable where the Christoffel symbols have more terms together than these."""
+        symbols = self.christoffel.items()
+        terms = sum(len(value.numerator) for (i, j, _), value in symbols if i <= j)
+        if terms > most:
+            raise NotDerivable(
+                f"the Christoffel symbols of this arm have {terms} terms, too many (more than {most}); give "
+                "numbers to some of the symbols, or leave out moments that do not matter"
+            )
 
     @property
     def long(self) -> bool:

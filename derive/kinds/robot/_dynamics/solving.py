@@ -23,6 +23,7 @@ from derive.names import entry_symbol, free
 
 NONE = 1e-9  # what the least eigenvalue of D is of the largest, at most, where some joint moves no mass
 TRIES = 3
+MOST_TERMS = 15_000  # of the Christoffel symbols; of more the equations take longer than anyone waits
 D, H, TAU, RISES = symbols("D h tau q_ddot")
 
 
@@ -40,6 +41,7 @@ def equations_of_motion(problem: Problem, arm: Arm) -> Unsolved:
     """D qddot = tau - h. Raises NotDerivable where D has no inverse."""
     if not any(_is_regular(arm.rigid.inertia_matrix(at)) for at in random_points(arm.still, TRIES)):
         raise NotDerivable("D is singular: some joint moves without moving a mass, give the links inertia")
+    arm.refuse_vast(MOST_TERMS)
     motion, sorts = problem.ask("dynamics"), friction_sorts(problem.subject)
     terms = [[each for each in row if each.sort != "acceleration"] for row in equations(problem)]
     rest = column(written_out(row, problem.style) for row in terms)
