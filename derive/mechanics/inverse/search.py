@@ -169,10 +169,12 @@ class _Candidates:
     # -- sums of squares --------------------------------------------------------------------------
 
     def reach(self) -> Reach | None:
+        """Of a displacement that no equation has alone: a square leaves its sign open."""
+        names = [name for name in self._open_slides() if next(self.slides(name), None) is None]
         found = [
             here
-            for chosen, unknown in self._coordinates(None)
-            for name in self._open_slides()
+            for chosen, unknown in (self._coordinates(None) if names else ())
+            for name in names
             if (here := subproblems.reach(name, chosen, unknown))
             if any(set(each.unknown.generators()) & (unknown - {name}) for each in chosen)
         ]

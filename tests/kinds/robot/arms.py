@@ -253,6 +253,12 @@ ARMS = {
          ("theta4*", "l_4", "0", "0"), ("theta5*", "0", "0", "90 deg"), ("theta6*", "0", "a_5", "90 deg")),
         "pose", 8, convention="modified",
     ),
+    "slide at the end": Arm(
+        (("theta1*", "0", "0.3", "90 deg"), ("theta2*", "0", "0", "-90 deg"), ("theta3*", "0", "0", "90 deg"),
+         ("theta4*", "d4", "-a4", "90 deg"), ("theta5* + 90 deg", "0.2", "0", "-90 deg"),
+         ("0", "d6*", "0", "90 deg")),
+        "pose", 8,
+    ),
     "UR from its other end": Arm(
         (("theta1*", "0.3", "0", "90 deg"), ("theta2*", "0.1", "0.1", "90 deg"),
          ("theta3*", "0.1", "0.4", "0"), ("theta4*", "0.2", "0.3", "0"),
