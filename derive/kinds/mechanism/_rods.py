@@ -15,11 +15,13 @@ from derive.expression import (
     Degrees,
     Expr,
     Symbol,
+    add,
     column,
     cos,
     number,
     sin,
     subtract,
+    terms_of,
 )
 from derive.kinds.checks import close, route
 from derive.kinds.mechanism._facts import JacobianFacts
@@ -88,8 +90,8 @@ def _rods(
     rods = []
     for k, angle in enumerate(angles):
         out, turn = r - R - L * cos(angle), Degrees(number(120 * k).value)
-        along = out * cos(turn) if k else out
-        rods.append([x + along, y + out * sin(turn) if k else y, z + L * sin(angle)])
+        along = [out * cos(turn)] if k else terms_of(out)
+        rods.append([add(x, *along), y + out * sin(turn) if k else y, z + L * sin(angle)])
     return work, rods, angles
 
 

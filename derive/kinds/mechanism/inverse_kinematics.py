@@ -70,3 +70,9 @@ def derive(robot: FiveBar | Delta | Stewart, options: Options, problem: Problem)
         in_degrees=True,
     )  # fmt: skip
     return work.answer("inverse-kinematics", results, facts)
+
+
+def measures(robot: FiveBar | Delta | Stewart) -> dict[str, str]:
+    """Legs that extend, and the vectors along them."""
+    legs = range(1, len(robot.base) + 1) if isinstance(robot, Stewart) else ()
+    return {f"{letter}_{k}": "m" for k in legs for letter in "lL"}

@@ -44,3 +44,10 @@ def derive(linkage: FourBar | SliderCrank | FiveBar, options: Options, problem: 
         unknown=recipe.assemblies[0].unknown, sides=(first, second), angle_results=("theta_3", "theta_4"),
     )  # fmt: skip
     return work.answer("position", {"solutions": branches}, facts, units=units_of(problem, recipe.s))
+
+
+def measures(linkage: FourBar | SliderCrank | FiveBar) -> dict[str, str]:
+    """Of what is sought: the place of a slider, a point."""
+    if isinstance(linkage, FiveBar):
+        return {"x": "m", "y": "m"}
+    return {"s": "m"} if isinstance(linkage, SliderCrank) else {}

@@ -108,3 +108,8 @@ def _slider_crank(linkage: SliderCrank, work: Work) -> list[tuple[str, Expr]]:
         if normal(reach, work.definitions):
             rows.append((key, height / reach if height != ZERO else ZERO))
     return rows
+
+
+def measures(linkage: FourBar | SliderCrank | FiveBar) -> dict[str, str]:
+    """The distances at which a five-bar linkage is singular."""
+    return dict.fromkeys(("r_1", "r_2", "e"), "m") if isinstance(linkage, FiveBar) else {}

@@ -65,3 +65,9 @@ def derive(linkage: FourBar | SliderCrank, options: Options, problem: Problem) -
         numbers=("solutions",), angle_results=("theta_3", "theta_4"),
     )  # fmt: skip
     return work.answer("velocity", results, facts, units=units_of(problem, recipe.s))
+
+
+def measures(linkage: FourBar | SliderCrank) -> dict[str, str]:
+    """Of what is sought."""
+    turning = {"theta_3_dot": "rad/s", "theta_4_dot": "rad/s"}
+    return turning | ({"s": "m", "s_dot": "m/s"} if isinstance(linkage, SliderCrank) else {})
