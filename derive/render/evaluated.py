@@ -32,6 +32,7 @@ from derive.expression import (
 from derive.expression import number as exact_number
 from derive.expression import replace as put_in
 from derive.render import twists
+from derive.render.chain_links import chain_links
 from derive.render.latex import Printer
 from derive.render.layout import Chain, lay_out, one_line
 from derive.render.notation import Notation
@@ -42,7 +43,6 @@ from derive.render.printed import Printed
 from derive.render.same_numbers import same_numbers
 from derive.render.skin import Skin, environment
 from derive.render.values import SPARE, in_unit
-from derive.render.words import chain_links
 
 TREES = get_args(Expr)
 WHOLE_BELOW = 10**6

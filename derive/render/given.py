@@ -10,6 +10,7 @@ from derive.algebra.formulas.with_units import measured
 from derive.derivation import Cell, Table
 from derive.expression import Number
 from derive.given.datum import Chain, Datum
+from derive.render.chain_links import chain_links
 from derive.render.formulas import spelt
 from derive.render.latex import Printer
 from derive.render.layout import lay_out
@@ -19,7 +20,6 @@ from derive.render.printed import Printed
 from derive.render.skin import Skin
 from derive.render.tables import columns_of, headed, unit_text
 from derive.render.values import Values
-from derive.render.words import chain_links
 
 AS_TYPED = Values(digits=15)  # what is given is not rounded
 SHARED, OWN = "words/_given.j2", "words/{}/_given.j2"

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 from derive.derivation import Cell
 from derive.expression import Approximate, Degrees, Symbol
+from derive.render.chain_links import chain_links
 from derive.render.layout import Link
 from derive.render.printed import Printed
 from derive.render.same_numbers import same_numbers
 from derive.render.skin import english
 from derive.render.tables import unit_text
-from derive.render.words import chain_links
 
 if TYPE_CHECKING:
     from derive.render.evaluated import Telling

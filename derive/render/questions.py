@@ -11,13 +11,14 @@ from typing import Any
 
 from derive.expression import Symbol
 from derive.kinds.registry import folder_of
+from derive.render.chain_links import chain_links
 from derive.render.latex import Printer
 from derive.render.layout import one_line
 from derive.render.phrases import block_of, lines_in
 from derive.render.printed import Printed
 from derive.render.skin import block, words_file
 from derive.render.values import in_unit
-from derive.render.words import QUESTION, chain_links
+from derive.render.words import QUESTION
 
 
 def question_text(

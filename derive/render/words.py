@@ -2,7 +2,8 @@
 
 In scope of a words template: `d`, `step(name)`, `facts`, `asked`, the filters `m`, `each`
 and `listed`, and the functions `show`, `answer`, `inline`, `tell`, `table`, `plot`, `say`, `listing`, `path`,
-`em`, `strong`, `items`, `again`, `conditions`, `cited`, `found`. Its blocks `question` and `phrases` are
+`em`, `strong`, `items`, `again`, `conditions`, `cited`, `found`, `worked`. Its blocks `question` and
+`phrases` are
 left out here. A step the words neither show nor tell is an error: nothing that was derived goes unsaid
 unnoticed. Steps are told in the order in which they were derived, so that nothing is used before it is
 found.
@@ -10,49 +11,43 @@ found.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
-from typing import Any, Literal
+from typing import Any
 
 from jinja2 import Template
 
 from derive.derivation import Cell, Condition, Derivation, Phrase, Step, Table
 from derive.expression import (
-    Degrees,
-    Expr,
     Indexed,
     Number,
     Relation,
-    Symbol,
     column,
     free_symbols,
-    number,
     walk,
 )
 from derive.render import twists
+from derive.render.chain_links import chain_links
 from derive.render.columns import in_order
-from derive.render.entries import NAMED_BEYOND, Names, with_named_entries
-from derive.render.facts import Sayable, parts, sayable
-from derive.render.latex import Printer, is_approximate
-from derive.render.layout import FRAMED, LINE, Chain, Display, Link, lay_out, one_line
+from derive.render.displays import Displays
+from derive.render.facts import parts
+from derive.render.latex import Printer
+from derive.render.layout import one_line
 from derive.render.notation import Notation
-from derive.render.phrases import LATEX_SIGNS, PHRASES, Speech, on_page
-from derive.render.printed import Naming, Printed, links_of
-from derive.render.room import abridged, has_room, kept
-from derive.render.skin import Skin, environment, joined, words_file
-from derive.render.so_far import Equation, SoFar
+from derive.render.phrases import PHRASES, Speech, on_page
+from derive.render.printed import Printed
+from derive.render.room import abridged
+from derive.render.skin import Skin, environment, words_file
+from derive.render.so_far import SoFar
 from derive.render.tables import columns_of, headed, unit_text
+from derive.render.told_so_far import Mathematics, Steps, Trig
 from derive.render.typed import relettered, typed_in
 from derive.render.untold import EarlyStep, ForgottenFact, ForgottenStep, UnknownFamily, early, forgotten
 from derive.render.values import Values, in_unit
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
 APART = (QUESTION, PHRASES, "results", "example")  # said elsewhere: see render/questions.py and phrases.py
-Mathematics = Expr | Step | str | int | tuple[Expr, ...]
-Shown = str | Step | tuple[Expr, ...]  # a step or a bare chain
-Trig = Literal["short", "long"] | None
-Steps = Literal["full", "key", "answers"]
 LANGUAGES = {".m": "matlab", ".py": "python"}
 
 
@@ -108,53 +103,9 @@ def words_of(folder: str, kind: str) -> Template:
     return environment().get_template(words_file(folder, kind))
 
 
-def chain_links(chain: tuple[Expr, ...], printer: Printer) -> Chain:
-    """The links of a chain, with the sign that stands before each."""
-    links: list[Link] = []
-    rounded = False
-    for expr in chain:
-        now = is_approximate(expr)
-        links.append(Link(r"\approx" if now or rounded else "=", printer.write(expr), expr))
-        rounded = now
-    return tuple(links)
-
-
-def _numbers(references: Iterable[str | None]) -> str:
-    found = [*references]
-    return f" {joined([*filter(None, found)])}" if all(found) else ""
-
-
-def signed_links(relation: Relation, printer: Printer) -> Chain:
-    """The sides of a relation, with the sign that stands before each."""
-    left, sign = relation.left, LATEX_SIGNS.get(relation.sign, relation.sign)
-    last = Link(sign, printer.write(relation.right), relation.right)
-    if isinstance(left, Relation):
-        return (*signed_links(left, printer), last)
-    return Link("=", printer.write(left), left), last
-
-
 @dataclass(slots=True)
-class Telling:
-    """One derivation being told in one format; remembers which steps were."""
-
-    d: Derivation
-    speech: Speech
-    skin: Skin
-    notation: Notation
-    plots: Mapping[str, str]
-    files: Mapping[str, str]
-    printed: list[Printed]
-    values: Values
-    asked: bool
-    of: tuple[str, str]  # the folder and the kind
-    so_far: SoFar
-    level: Steps
-    displays: int = 0
-    told: dict[str, int] = field(default_factory=dict)  # steps, and when each was told first
-    left_out: set[str] = field(default_factory=set)  # steps of which the page need not speak
-    said: list[Sayable] = field(default_factory=list)
-    answered: list[str] = field(default_factory=list)  # what stands in frames
-    kept: list[Printed] = field(default_factory=list)  # and its mathematics
+class Telling(Displays):
+    """What a words template can name."""
 
     def scope(self) -> dict[str, Any]:
         """What a words template can name."""
@@ -170,130 +121,9 @@ class Telling:
             "cited": self.cited, "found": self.found, "worked": self.worked,
         }  # fmt: skip
 
-    def steps(self, *rules: str) -> list[Step]:
-        """The outer steps of these rules, in their order."""
-        return [step for step in self.d.steps if step.rule in rules]
-
-    def again(self, explained: Phrase | Step | str | Iterable[Phrase]) -> str:
-        """Where the sheet has explained this already, in these words: a phrase or several, the law of
-        a step, or what the template calls so; "" where nowhere. It is told by that, and a short line will
-        do: "as before", or "as in Problem 1"."""
-        match explained:
-            case Phrase() | str():
-                about: object = explained
-            case Step():
-                self._note(explained)
-                about = explained.chain
-            case _:
-                explained = about = tuple(explained)
-        self.said.extend(parts(explained.chain if isinstance(explained, Step) else explained))
-        return self.so_far.explanation((*self.of, about))
-
-    def cited(self, *whats: Step | Expr) -> str:
-        """ " (2) and (5)": the numbers of the equations of this problem that say what these names are, and of
-        laws that the sheet has told; "" where one of them was not displayed."""
-        return self._references(
-            self.so_far.law(self.values.shown(what.chain))
-            if isinstance(what, Step)
-            else self.so_far.value(what, self.d)
-            for what in whats
-        )
-
-    def found(self, *kinds: str) -> str:
-        """The same for the answers of these kinds, on which this one rests."""
-        return self._references(self.so_far.answer(kind, self.d) for kind in kinds)
-
-    def worked(self) -> str:
-        """ " (2) and (3)", the answers of an earlier question of this problem, worked in the very lines
-        of this one; what both know need not be said again. "" where there is none."""
-        before = self.so_far.same_working(self.d)
-        if before is None or self.level == "answers":
-            return ""
-        self.tell(*self.d.steps)
-        self.said.extend(fact for _, fact in sayable(before))
-        return _numbers(self.so_far.answers_of(before))
-
-    def _references(self, found: Iterator[str | None]) -> str:
-        """None where the page has answers alone: what they rest on is not on it."""
-        return "" if self.level == "answers" else _numbers(found)
-
-    def answer(self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2) -> str:
-        """The same as `show` for what was asked, which stands in a frame."""
-        return self.show(*names, trig=trig, entries=entries, lines=lines, answer=True)
-
-    def show(
-        self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2, answer: bool = False
-    ) -> str:
-        """A displayed equation of one or several steps (or bare chains), side by side where they fit.
-
-        Long entries of a matrix too wide for the page are named, and listed after it; `entries` are words to
-        stand before the list, and then no matrix is wider than a line. A spare link is left out where it
-        takes more than so many `lines`.
-        """
-        printer, widest = self._printer(trig), LINE if entries else NAMED_BEYOND
-        boxed = answer and self.asked
-        whole = [self._chain(name, printer, lines) for name in names]
-        if boxed and self.level == "answers":
-            whole = [(chain[0], chain[-1]) if len(chain) > 1 else chain for chain in whole]
-        parts = [
-            with_named_entries(chain, printer, widest, self._entries(name))
-            for chain, name in zip(whole, names, strict=True)
-        ]
-        both = zip(whole, parts, strict=True)
-        namings = tuple(
-            Naming(chain[0], chain[-1], shown[-1], tuple((name, tree) for name, tree in listed))
-            for chain, (shown, listed) in both
-            if listed
-        )
-        first = len(self.printed)
-        shown = self._display(tuple(chain for chain, _ in parts), printer, namings, answer)
-        listed = [self._display(chains, printer) for _, chains in parts if chains]
-        written = "".join((shown, f"\n{entries}\n" if entries and listed else "", *listed))
-        if boxed:
-            self.answered.append(written)
-            self.kept.extend(self.printed[first:])
-        return written
-
-    def _display(
-        self, chains: tuple[tuple[Expr, ...], ...], printer: Printer, namings: tuple[Naming, ...] = (),
-        answer: bool = False,
-    ) -> str:  # fmt: skip
-        links = tuple(chain_links(chain, printer) for chain in chains)
-        boxed = answer and self.asked
-        display = lay_out(links, printer.notation, FRAMED if boxed else LINE)
-        self.printed.append(Printed.display(display, printer.notation, namings))
-        written = self.skin.display(replace(display, boxed=boxed))
-        self.displays += 1
-        equation = Equation(self.so_far.problem, chains, self.d, self.displays, answer)
-        return self.so_far.marked(written, equation, boxed)
-
-    def conditions(self, relations: tuple[Relation, ...]) -> str:
-        """Conditions that all hold, side by side; where they are the answer, in a frame."""
-        self.said.extend(parts(relations))
-        printer = self._printer(None)
-        styled = tuple(map(self.speech.in_style, relations))
-        display = lay_out(tuple(signed_links(each, printer) for each in styled), printer.notation, FRAMED)
-        self.printed.append(Printed(display.lines, tuple(map(links_of, styled)), printer.notation))
-        written = self.skin.display(replace(display, boxed=self.asked))
-        if self.asked:
-            self.answered.append(written)
-            self.kept.append(self.printed[-1])
-        return written
-
-    def formula(self, *lines: str) -> str:
-        """A general law, displayed as the words write it in LaTeX; what is derived goes through `show`."""
-        self.printed.append(Printed(lines, (), self.notation))
-        return self.skin.display(Display(lines))
-
     def inline(self, name: str | Step, trig: Trig = None) -> str:
         """The chain of a step in a line of text."""
         return self.math(self._chain(name, self._printer(trig)), trig)
-
-    def tell(self, *names: str | Step) -> str:
-        """Marks steps as told in prose; prints nothing."""
-        for name in names:
-            self._note(self._step(name))
-        return ""
 
     def math(self, value: Mathematics, trig: Trig = None, unit: str = "") -> str:
         """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs, which may
@@ -370,71 +200,6 @@ class Telling:
     def path(self, name: str) -> str:
         """Where a file of this derivation is kept, seen from the page."""
         return self.skin.plain(self.files.get(name, name))
-
-    def unsaid(self) -> list[str]:
-        """The facts that could be said and were not."""
-        return list(dict.fromkeys(name for name, fact in sayable(self.d) if fact not in self.said))
-
-    def _note(self, step: Step) -> None:
-        self.told.setdefault(step.name, len(self.told))
-
-    def _step(self, name: str | Step) -> Step:
-        return self.d.step(name) if isinstance(name, str) else name
-
-    def _entries(self, name: Shown) -> Names:
-        return {} if isinstance(name, tuple) else self._step(name).entries
-
-    def _chain(self, name: Shown, printer: Printer, lines: int = 2) -> tuple[Expr, ...]:
-        """The chain of a step, without the spare links that are too long for a page."""
-        if isinstance(name, tuple):
-            self.said.extend(name)
-            return self.values.shown(name)
-        step = self._step(name)
-        self._note(step)
-        self.said.extend(step.chain)
-        chain = kept(step, printer, lines) if step.spare else step.chain
-        return self.values.shown(
-            twists.line(step.rule, chain, self.d) if self.notation.angular_first else chain
-        )
-
-    def cut(self, name: str | Step) -> bool:
-        """Whether a link of this step is too long for a page and left out."""
-        step = self._step(name)
-        return kept(step, self._printer(None)) != step.chain
-
-    def whole(self, steps: Iterable[Step]) -> list[Step]:
-        """Those of the steps of which nothing is left out; of the others the page need not speak."""
-        found = [(step, self.cut(step)) for step in steps]
-        self.left_out.update(step.name for step, cut in found if cut)
-        return [step for step, cut in found if not cut]
-
-    def fits(self, table: Table) -> bool:
-        """Whether the page has room for a table."""
-        return has_room(table, self._printer(None))
-
-    def _printer(self, trig: Trig) -> Printer:
-        """That of the sheet; a display may ask for another way to write angles, where the sheet does not."""
-        if not trig or self.notation.trig == "long":
-            return Printer(self.notation)
-        return Printer(replace(self.notation, trig=trig))
-
-    def _trees(self, value: Mathematics) -> tuple[Expr, ...]:
-        """The chain of what is written in a line of text."""
-        self.said.extend(parts(value))
-        match value:
-            case str():
-                return (Symbol(value),)
-            case int():
-                return (number(value),)
-            case Step():
-                self._note(value)
-                return self.values.shown(value.chain)
-            case (name, (Number() | Degrees()) as typed) if typed.unit:
-                return name, in_unit(typed, typed.unit)
-            case tuple():
-                return self.values.shown(value)
-            case _:
-                return self.values.shown((value,))
 
     def _cell(self, entry: Cell) -> str:
         if isinstance(entry, str):
