@@ -28,12 +28,15 @@ TYPED = re.compile(rf"(?<=\d)(?:°| {UNIT})(?:\\?/{UNIT})+")  # in an author's t
 WORD_JOINER = "\u2060"  # where no line ends
 HELD = 14.0  # em, up to which a formula does not break in a line of text
 FRAME = 2.4  # em that a frame takes from a line
-TALL = 7  # rows of a display, those of its matrices too, from which it may break between its lines
+# Rows of a display, those of its matrices too, above which it may break between its lines: several equations,
+# and one that goes on from line to line or stands in a frame.
+SEVERAL, ONE = 7, 12
 HIGH = 30  # rows of a line that may be higher than the page
 
 
 class TypstFormulas:
-    """Formulas as calls of the page's own functions: `eq`, `tall` and `fit` for a display, `m` in a line."""
+    """Formulas as calls of the page's own functions: `eq`, `tall`, `fit` and `broad` for a display, `m` in a
+    line."""
 
     def inline(self, formula: Display) -> str:
         (latex,) = formula.lines
@@ -58,7 +61,11 @@ def _shape(formula: Display) -> str:
     rows = [max(part.count(r"\\") + 1 for part in line.split(r"\begin")) for line in formula.lines]
     if max(rows) > HIGH:
         return "high"
-    return "fit" if _is_wide(formula) else "tall" if sum(rows) > TALL else "eq"
+    one = formula.boxed or any(line.lstrip().startswith("&") for line in formula.lines[1:])
+    tall = sum(rows) > (ONE if one else SEVERAL)
+    if _is_wide(formula):
+        return "broad" if tall else "fit"
+    return "tall" if tall else "eq"
 
 
 def laid_out(page: str) -> str:

@@ -45,3 +45,11 @@ def test_no_display_runs_over_its_page(name: str, tmp_path: Path) -> None:
         for word in words
         if word[0] < LEFT - 1 or word[1] < TOP - 8 or word[2] > RIGHT + 1 or word[3] > BOTTOM
     ]
+
+
+def test_one_equation_keeps_its_lines_together() -> None:
+    """Several equations may break between them."""
+    lines = f"J &= {column(2)}", f"&= {column(6)}"
+    assert "#eq(" in FORMULAS.display(Display(lines))
+    assert "#tall(" in FORMULAS.display(Display((lines[0], f"K {lines[1]}")))
+    assert "#tall(" in FORMULAS.display(Display((*lines, *lines[1:])))
