@@ -114,3 +114,19 @@ def test_a_lost_root_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr(roots, "_apart", lambda found: right(found)[1:])
     with pytest.raises(SheetErrors):
         question(ORTHOGONAL, (2.5, 0, 0.5), tmp_path)
+
+
+def test_a_motion_is_integrated_instead(tmp_path: Path) -> None:
+    sheet = tmp_path / "sheet.yaml"
+    links = "".join(
+        f"    - {{theta: theta{k}*, d: {d}, a: {a}, alpha: {alpha} deg}}\n"
+        for k, (d, a, alpha) in enumerate(ORTHOGONAL, 1)
+    )
+    sheet.write_text(
+        f"title: A line\nproblems:\n- robot:\n    links:\n{links}  find: joint-motion\n"
+        "  path: {line: {from: [2.5, 0, 0.5], to: [2.4, 0.3, 0.6]}, timing: {law: cubic, time: 2 s}}\n",
+        encoding="utf-8",
+    )
+    with pytest.raises(SheetErrors) as raised:
+        pages(sheet, tmp_path, "json")
+    assert "inverse-velocity" in raised.value.errors[0].message

@@ -24,6 +24,11 @@ from derive.kinds.robot._units import of_variables
 from derive.kinds.units import in_degrees
 from derive.kinds.values_at import Here, values_at
 
+NO_FORMULA = (
+    "the joint variables of this arm are no functions of t that can be written: they rest on the roots of a "
+    "polynomial of the fourth degree; write method: inverse-velocity, by which the rates are integrated from "
+    "a start"
+)
 TRIES, POINTS = 400, 2
 NOT_THERE = (ValueError, ZeroDivisionError, OverflowError)
 PLAIN = 60  # nodes of a formula that stands on the page
@@ -37,6 +42,8 @@ def in_closed_form(given: Setting) -> Derivation:
     if len(where.rows) != len(problem.subject.variables):
         raise NotDerivable(MANY, "path")
     inverse = problem.ask("inverse-kinematics", given=where.names)
+    if "quartic" in inverse.results:
+        raise NotDerivable(NO_FORMULA, "method")
     rates = problem.ask("inverse-velocity", rows=where.rows)
     changes = problem.ask("inverse-acceleration", rows=where.rows)
     for each in (inverse, rates, changes):
