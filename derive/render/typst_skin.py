@@ -26,6 +26,7 @@ UNIT = r"(?:rad|deg|mm|cm|kg|Nm|Hz|[mNsVWJgKA])(?![A-Za-z])[23²³]?"
 MEASURE = re.compile(rf"(?<={DOLLAR}\);) {UNIT}(?:(?: |\\?/)\(?{UNIT}\)?)*")  # behind a formula
 TYPED = re.compile(rf"(?<=\d)(?:°| {UNIT})(?:\\?/{UNIT})+")  # in an author's text, 25°/s
 WORD_JOINER = "\u2060"  # where no line ends
+HYPHEN = re.compile(rf"(?<={DOLLAR}\);)(\\?-)(?=[a-z])")  # behind a formula: of the x-axis
 HELD = 14.0  # em, up to which a formula does not break in a line of text
 FRAME = 2.4  # em that a frame takes from a line
 # Rows of a display, those of its matrices too, above which it may break between its lines: several equations,
@@ -73,6 +74,7 @@ def laid_out(page: str) -> str:
     mathematics that is still in TeX."""
     if "$" in page:
         raise PageFailed(f"a formula is still in TeX: {page[page.index('$') :][:80]}")
+    page = HYPHEN.sub(rf"{WORD_JOINER}\1{WORD_JOINER}", page)
     tied = TYPED.sub(_unbroken, MEASURE.sub(_tied, page))
     return LEAD_IN.sub(_led, tied).replace(BLOCK, "").replace(DOLLAR, "$")
 
