@@ -160,6 +160,7 @@ def test_joints_within_their_ranges(ranges: tuple[str, str], said: tuple[str, ..
         ("{circle: {center: [0, 0]}}", "", "how large it is"),
         ("[1, 2]", "", "line:"),
         (LINE, "method: inverse-velocity", "add start"),
+        (LINE, "method: inverse-velocity\n    evaluate: {t: 1}", "leave t out"),
         (LINE, "method: inverse-velocity\n    start: {q1: 0, q2: 90 deg}", "from where the path begins"),
         (AROUND, "method: inverse-velocity\n    start: {q1: 0, q2: 90 deg}", "2 joints cannot follow 3"),
         (LINE.replace("0.5, 0.5", "0.5, l"), "method: inverse-velocity", "no value is known for l"),

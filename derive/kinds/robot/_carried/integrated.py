@@ -39,6 +39,8 @@ def by_rates(given: Setting) -> Derivation:
     if given.driven is None:
         missing = ", ".join(sorted(given.names - given.point.keys())) or "the end of the motion"
         raise NotDerivable(f"rates are integrated in numbers, and no value is known for {missing}")
+    if given.time is not None:
+        raise NotDerivable("integrated joints are told at the times of their table: leave t out", "evaluate")
     if given.begun is None:
         raise NotDerivable(NO_START)
     velocity = problem.ask("inverse-velocity", rows=where.rows)
