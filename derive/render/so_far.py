@@ -14,8 +14,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 from derive.derivation import Derivation
+from derive.errors import NotAsWritten
 from derive.expression import Expr
-from derive.render.skin import english
+from derive.render.skin import HELD_LINE, english
 
 SHOWN = re.compile("\x03(\\d+)\x04(.*?)\x05", re.DOTALL)
 PICTURED = re.compile("\ue000(\\d+)\ue001")  # which plain texts may hold
@@ -136,7 +137,7 @@ class SoFar:
         return f"\ue000{self.figures.index(path)}\ue001"
 
     def settled(self, page: str, numbered: Callable[[str, int], str]) -> str:
-        """The page with its numbers, and without the marks."""
+        """The page with its numbers, and without the marks. Raises NotAsWritten where a display is lost."""
         number = {key: count for count, key in enumerate(sorted(self.counted), 1)}
 
         def shown(found: re.Match[str]) -> str:
@@ -144,8 +145,16 @@ class SoFar:
             return numbered(written, number[key]) if key in number else written
 
         whole = CITED.sub(lambda found: f"({number[int(found[1])]})", SHOWN.sub(shown, page))
+        told, seen = (each.replace(HELD_LINE, "") for each in (page, whole))
+        if not all(longest in seen for longest in map(_longest_line, told.split("\x04")[1:])):
+            raise NotAsWritten("a display is not on its page")
         figures = {key: str(count) for count, key in enumerate(dict.fromkeys(PICTURED.findall(whole)), 1)}
         return PICTURED.sub(lambda found: figures[found[1]], whole)
+
+
+def _longest_line(rest: str) -> str:
+    """That of the display with which the rest of a page begins."""
+    return max(rest.partition("\x05")[0].splitlines(), key=len, default="")
 
 
 def _lines(derivation: Derivation) -> Chains:

@@ -18,6 +18,7 @@ from derive.derivation import Branch, Claim, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import close, random_points, route
+from derive.kinds.robot._singular.descent import fallen_to
 from derive.kinds.robot._singular.facts import CaseTold, SetTold
 from derive.kinds.robot._singular.minors import Way
 from derive.kinds.robot._singular.search import (
@@ -174,7 +175,10 @@ class Checked:
 
     def _found(self, at: Values) -> Iterator[bool]:
         """Whether every configuration that a search finds is singular and lies in a set that is told."""
-        for here in zeros_along(compiled(self.way.det), at, self.J.variables, self.J.slides):
+        names, slides = self.J.variables, self.J.slides
+        m, n = self.J.whole(at).shape
+        fallen = fallen_to(self.J.whole, at, names, slides) if m != n else ()
+        for here in (*zeros_along(compiled(self.way.det), at, names, slides), *fallen):
             told = any(inside(branch, here, self.J.slides) for branch in self.solutions)
             yield told and rank_at(J := self.J.whole(here)) < min(J.shape)
 
