@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any
 
 from derive.algebra.infix import text
@@ -20,7 +21,7 @@ from derive.answers.solutions import put_in
 from derive.answers.terms import Finding, Solution, Terms, Verdict
 from derive.answers.typed import heard, is_branches, is_spoken, read_typed
 from derive.derivation import Branch
-from derive.expression import ZERO, Call, Expr, Matrix, Symbol, free_symbols
+from derive.expression import ZERO, Call, Expr, Matrix, Number, Symbol, free_symbols
 from derive.expression import replace as replaced
 
 ANGLES = ("theta", "phi", "psi", "alpha", "beta", "gamma")  # unknowns called so are angles
@@ -149,6 +150,8 @@ class Compared:
         derived = [branch.values for branch in result]
         if at_point:
             derived = [{name: replaced(tree, asked.point) for name, tree in each.items()} for each in derived]
+            if any(free_symbols(tree) - each.keys() for each in derived for tree in each.values()):
+                derived = self._in_numbers(derived)  # in the root of a polynomial, which is a number there
         known = frozenset(n for each in derived for n in each if n.lower().startswith(ANGLES))
         coordinates = asked.own - (asked.given.symbols - set(asked.variables))  # no lengths, no masses
         sampling = asked.terms.sampling
@@ -160,6 +163,16 @@ class Compared:
         for k, pair in enumerate(sets.paired(), 1):
             theirs, ours = written(pair.published), written(pair.derived, at_point)
             yield self._check(name, (k,), self._honest(pair), theirs, ours, pair.diagnosis)
+
+    def _in_numbers(self, derived: list[Solution]) -> list[Solution]:
+        """The solutions as they are evaluated."""
+        found = self.asked.derivation.evaluated.get("solutions", ())
+        names = derived[0].keys()
+        return [
+            {name: Number(Fraction(each[name]), decimal=True) for name in names}
+            for each in found
+            if each.get("real", True)
+        ]
 
     def _honest(self, pair: Paired) -> Finding:
         """Undecided where a solution is in names of the derivation."""

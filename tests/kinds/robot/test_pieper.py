@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from derive.check import check
 from derive.errors import SheetErrors
 from derive.mechanics.inverse import pieper
 from tests.kinds.robot.test_planted_formulas import plant
@@ -130,3 +131,16 @@ def test_a_motion_is_integrated_instead(tmp_path: Path) -> None:
     with pytest.raises(SheetErrors) as raised:
         pages(sheet, tmp_path, "json")
     assert "inverse-velocity" in raised.value.errors[0].message
+
+
+def test_published_numbers_are_held_against_the_solutions_there(tmp_path: Path) -> None:
+    told = question(ORTHOGONAL, (2.5, 0, 0.5), tmp_path)["evaluated"]["solutions"]
+    rounded = [{name: round(each[name], 4) for name in ("theta1", "theta2", "theta3")} for each in told]
+    rounded[2]["theta1"] = -rounded[2]["theta1"]
+    sheet = tmp_path / "sheet.yaml"
+    sheet.write_text(
+        f"{sheet.read_text(encoding='utf-8')}  answer: {{solutions: {json.dumps(rounded)}}}\n",
+        encoding="utf-8",
+    )
+    verdicts = [each.verdict for each in check([sheet]).checks]
+    assert verdicts == ["equal", "equal", "differs", "equal"]
