@@ -27,6 +27,7 @@ from derive.render.words import words
 MARKDOWN = Skin("markdown", markdown_prose, markdown_text)
 LATEX = Skin("latex", latex_prose, latex_text)
 BLANK_LINES = re.compile(r"\n[ \t]*\n\s*\n")
+HYPHEN = re.compile(r"\$-(?=(?:ax[ei]s|planes?|directions?|components?|coordinates?)\b)")  # of the $x$-axis
 BEFORE_DISPLAY = re.compile(r"\n\n+(?=\\\[|\\begin\{align\*\})")
 
 MATRIX = re.compile(r"\\begin\{bmatrix\} .*? \\end\{bmatrix\}")
@@ -39,14 +40,15 @@ def render_markdown(document: Document, read: Reader = unread) -> str:
 
 
 def render_for_pandoc(document: Document, read: Reader = unread) -> str:
-    """The same without its title block, the formulas as they were printed."""
-    return _tidy(_page(document, MARKDOWN, False, read))
+    """The same without its title block, the formulas as they were printed, hyphens behind them unbroken."""
+    return _tidy(HYPHEN.sub("$\u2011", _page(document, MARKDOWN, False, read)))
 
 
 def render_latex(document: Document, read: Reader = unread) -> str:
     """The sheet as a LaTeX document that pdflatex compiles; its mathematics is given to `read`. Raises
     ForgottenStep, and what `read` raises."""
     page = MATRIX.sub(lambda found: rows_apart(found[0]), _page(document, LATEX, True, read))
+    page = HYPHEN.sub(r"$\\nobreakdash-", page)
     return _tidy(BEFORE_DISPLAY.sub("\n", BLANK_LINES.sub("\n\n", page)))
 
 

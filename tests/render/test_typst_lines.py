@@ -10,6 +10,7 @@ from typst import compile as compiled
 
 from derive.render.formula.tex import boxes
 from derive.render.formula.typst import in_text, typst
+from derive.render.typst_skin import DOLLAR, laid_out
 
 FORMULAS = (
     r"\tau = (a + b + c) (d + e + f) + g + h = k (l + m + n) - p + q",
@@ -41,3 +42,16 @@ def test_typst_alone_would_break_there(tmp_path: Path) -> None:
 
 def torn(broken: list[str]) -> list[str]:
     return [line for line in broken if line.endswith(("=", "≤")) or line.count("(") != line.count(")")]
+
+
+def test_no_line_ends_at_the_hyphen_behind_a_letter(tmp_path: Path) -> None:
+    """Whatever stands before it: "the x-axis" is in one piece."""
+    whole = set[str]()
+    for place in range(24):
+        page = f'{"i" * place} along the #m("x", {DOLLAR}x{DOLLAR});-axis of frame 1'
+        head = "#set page(width: 40mm, height: auto, margin: 4mm)\n#let m(said, formula) = box(formula)\n"
+        compiled((head + laid_out(page)).encode(), output=str(tmp_path / "line.pdf"))
+        line = ["pdftotext", "-raw", tmp_path / "line.pdf", "-"]
+        shown = subprocess.run(line, capture_output=True, text=True).stdout
+        whole |= {part for part in shown.replace("\u2060", "").splitlines() if "axis" in part}
+    assert all("𝑥-axis" in each for each in whole)
