@@ -270,9 +270,9 @@ class _Candidates:
         return KNOWN_JOINT * (forms + len(held & self.known.lengths))
 
 
-def _slide_length(found: Slide) -> int:
-    """Short ones first, then what needs no division."""
-    return len(found.slope.numerator) + len(found.value.numerator) + (found.slope.constant is None)
+def _slide_length(found: Slide) -> tuple[int, bool]:
+    """Short ones first; of those as short, what needs no division."""
+    return len(found.slope.numerator) + len(found.value.numerator), found.slope.constant is None
 
 
 def _is_opposite(value: Scalar) -> bool:
