@@ -18,6 +18,7 @@ from derive.errors import NotAsWritten
 from derive.expression import Expr
 from derive.render.skin import HELD_LINE, english
 
+MARKS = str.maketrans("", "", f"{HELD_LINE}\x02")  # for what lays out the page, which a number may move
 SHOWN = re.compile("\x03(\\d+)\x04(.*?)\x05", re.DOTALL)
 PICTURED = re.compile("\ue000(\\d+)\ue001")  # which plain texts may hold
 CITED = re.compile("\x06(\\d+)\x07")
@@ -145,7 +146,7 @@ class SoFar:
             return numbered(written, number[key]) if key in number else written
 
         whole = CITED.sub(lambda found: f"({number[int(found[1])]})", SHOWN.sub(shown, page))
-        told, seen = (each.replace(HELD_LINE, "") for each in (page, whole))
+        told, seen = (each.translate(MARKS) for each in (page, whole))
         if not all(longest in seen for longest in map(_longest_line, told.split("\x04")[1:])):
             raise NotAsWritten("a display is not on its page")
         figures = {key: str(count) for count, key in enumerate(dict.fromkeys(PICTURED.findall(whole)), 1)}
