@@ -80,12 +80,12 @@ class Choices:
     def count(self) -> Phrase:
         """How many solutions there are, and why."""
         about: dict[str, Said] = {"root": Symbol(self.root)} if self.root else {}
-        each = "-each" if self.root else ""
         if not self.two:
-            return Phrase(f"unique{each}", about)
+            return Phrase("unique-each" if self.root else "unique", about)
         if len(self.two) == 1:
             one, other = (self._either(k) for k in (0, 1))
-            return Phrase(f"two-solutions{each}", {**about, "one": one, "other": other})
+            key = "two-solutions-each" if self.root else "two-solutions"
+            return Phrase(key, {**about, "one": one, "other": other})
         heads = tuple(each.head for each in self.two)
         product = Relation(Product((number(2),) * len(self.two)), "=", number(len(self.chosen)))
         about |= {"chosen": heads, "product": product}
