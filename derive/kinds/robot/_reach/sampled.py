@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim, Step
-from derive.expression import Expr, free_symbols
+from derive.expression import ZERO, Expr, free_symbols
 from derive.kinds.checks import close, random_points, route
+from derive.kinds.fields import TREES
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import Tracked
@@ -163,8 +164,20 @@ def _lines(steps: Sequence[Step], at: Values, told: Mapping[str, Expr]) -> Itera
             yield close(first, numeric.number(told[step.name], at), SMALL)
 
 
+# Whether the arm is folded, and whether it is stretched, where its elbow changes the side.
+PASSED = {
+    "borders-stretched": (False, True), "borders-folded": (True, False), "borders-both": (True, True),
+}  # fmt: skip
+
+
 def _called(shape: Shape, at: Values) -> Iterator[bool]:
-    """Whether there is a hole just where that is said."""
+    """Whether there is a hole just where that is said, and the elbow changes its side where it is said to."""
     yield True
+    if shape.borders is not None and shape.borders.key in PASSED:
+        lengths, span = shape.arm.about["lengths"], shape.distance
+        assert isinstance(lengths, tuple)
+        one, other = (numeric.number(each, at) for each in lengths if isinstance(each, TREES))
+        low, high = (numeric.number(end, at) for end in (span.low or ZERO, span.high or ZERO))
+        yield (close(low, abs(one - other)), close(high, one + other)) == PASSED[shape.borders.key]
     if shape.called in HOLLOW and shape.distance.low is not None:
         yield (numeric.number(shape.distance.low, at) > SMALL) == HOLLOW[shape.called]
