@@ -99,8 +99,9 @@ def test_a_value_that_is_written_as_another_is_refused(
         readable(Scalar.symbol("x"))
     sheet = tmp_path / "sheet.yaml"
     sheet.write_text(ONE_TURN)
-    with pytest.raises(SheetErrors, match="1 fault") as refused:
+    with pytest.raises(SheetErrors) as refused:
         derive_all([load_sheet(sheet)], True, lambda _: None)
+    assert len(refused.value.errors) == 1
     assert "the answer failed its own check" in refused.value.errors[0].message
 
 
