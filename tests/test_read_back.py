@@ -262,7 +262,7 @@ def test_units_of_what_was_put_in_are_read(latex: str, held: bool) -> None:
     if held:
         assert read_back(said).read == 1
     else:
-        with pytest.raises(SheetErrors, match="1 fault"):
+        with pytest.raises(SheetErrors, match="failed its own check"):
             read_back(said)
 
 

@@ -19,6 +19,14 @@ from derive.mechanics.inverse.goal import AXES
 ELEMENTS = 9  # of a rotation matrix
 
 
+OF_A_SHOULDER = {
+    "axes-meet": "shoulder-axes-meet",
+    "axes-meet-at-the-end": "shoulder-axes-meet-at-the-end",
+    "in-angles-of-the-wrist": "shoulder-in-angles-of-the-wrist",
+    "rest-to-make": "shoulder-rest-to-make",
+}
+
+
 @dataclass(frozen=True, slots=True)
 class Told:
     """An inverse, and how its solutions are counted."""
@@ -114,7 +122,7 @@ class Told:
 
     def _of(self, key: str) -> str:
         """The same said of a shoulder."""
-        return f"shoulder-{key}" if self.worked.shoulder else key
+        return OF_A_SHOULDER[key] if self.worked.shoulder else key
 
     def _in_wrist(self, solved: Solved) -> SolvedFacts:
         """What happens where the outer axes coincide is said once."""
