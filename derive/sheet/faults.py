@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable, Mapping, Set
 from difflib import SequenceMatcher, get_close_matches
 from functools import cache
-from typing import Any
+from typing import Any, Literal
 
 from pydantic import TypeAdapter, ValidationError
 from pydantic.json_schema import GenerateJsonSchema
@@ -243,6 +243,16 @@ class _Quiet(GenerateJsonSchema):
 def model_schema(adapter: TypeAdapter[Any]) -> dict[str, Any]:
     """The JSON Schema of a type, without a word where a default value has no JSON of its own."""
     return adapter.json_schema(schema_generator=_Quiet)
+
+
+def models_schema(
+    adapters: Mapping[str, TypeAdapter[Any]],
+) -> tuple[dict[str, dict[str, Any]], dict[str, dict[str, Any]]]:
+    """The JSON Schemas of several types, each by its name, and the definitions that they share."""
+    mode: Literal["validation"] = "validation"
+    inputs = [(name, mode, adapter) for name, adapter in adapters.items()]
+    found, shared = TypeAdapter.json_schemas(inputs, schema_generator=_Quiet)
+    return {name: part for (name, _), part in found.items()}, shared.get("$defs", {})
 
 
 @cache

@@ -1,66 +1,150 @@
-"""JSON Schema of the sheet language, for editors, made from the models."""
+"""JSON Schema of the sheet language, for editors, made from the models.
+
+What may stand in a problem is decided by the key of its subject, and beside `find` by the kind that is
+asked for (`if`, `then`): an editor offers and marks what belongs there, and does not try all forms in turn.
+"""
 
 from __future__ import annotations
 
-from typing import Any
+import inspect
+from collections.abc import Iterable
+from typing import Any, TypeAlias
 
 from pydantic import TypeAdapter
 
 from derive.kinds import registry as kinds
 from derive.kinds.fields import described
-from derive.sheet.faults import model_schema
-from derive.sheet.given import GivenAsked, GivenProblem, GivenQuestion, GivenSheet
+from derive.sheet.faults import models_schema
+from derive.sheet.given import ASKED_KEYS, GivenAsked, GivenProblem, GivenQuestion, GivenSheet
+from derive.sheet.schema_parts import Part, hoisted, named, of_yaml, reached, trimmed
 from derive.sheet.subjects import registry as subjects
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
+FILE = {"type": "string", "pattern": r"\.ya?ml$", "description": "a file below the folder of the sheet"}
+Described: TypeAlias = tuple[str, str]  # a subject, and one that may stand beside it as an option of a kind
 
 
-def sheet_schema() -> dict[str, Any]:
+def sheet_schema() -> Part:
     """The schema of a whole sheet, every subject and every kind with its options included."""
-    definitions: dict[str, Any] = {}
-    sheet = _schema(GivenSheet, definitions)
-    problems = [_problem(subject, definitions) for subject in subjects.subjects()]
-    sheet["properties"]["problems"]["items"] = {"anyOf": problems}
-    return {"$schema": DIALECT, **sheet, "title": "Exercise sheet", "$defs": definitions}
+    every = {module: kinds.load(subject, kind) for subject, kind, module in _kinds()}
+    models: dict[str, Any] = {"sheet": GivenSheet, "problem": GivenProblem, "asked": GivenAsked}
+    models |= {"question": GivenQuestion}
+    models |= {subject: subjects.load(subject).Given for subject in subjects.subjects()}
+    models |= {_name(module): loaded.Options for module, loaded in every.items()}
+    found, shared = models_schema({name: TypeAdapter(model) for name, model in models.items()})
+    definitions = {name: _resolved(part, shared) for name, part in found.items()}
+    for module, loaded in every.items():
+        definitions[_name(module)] = _kind(definitions[_name(module)], loaded.Options, inspect.getdoc(loaded))
+    for subject in subjects.subjects():
+        about = {"title": subject, "description": _meaning(subject)}
+        definitions[subject] = {**about, "anyOf": [_untitled(definitions[subject]), FILE]}
+        definitions[f"{subject}-question"] = _asked(subject)
+    definitions |= {name: _open(definitions[name]) for name in ("problem", "asked", "question")}
+    sheet = definitions.pop("sheet")
+    sheet["properties"]["problems"]["items"] = _to("problem")
+    definitions["problem"] = _problem(definitions["problem"], definitions)
+    whole = {**sheet, "title": "Exercise sheet", "$defs": {**definitions, **shared}}
+    return {"$schema": DIALECT, **hoisted(named(reached(of_yaml(trimmed(whole)))))}
 
 
-def _problem(subject: str, definitions: dict[str, Any]) -> dict[str, Any]:
-    """A problem with this subject: a list of questions, or one question on the problem itself."""
-    problem = _schema(GivenProblem, definitions)["properties"]
-    given = _schema(subjects.load(subject).Given, definitions)
-    file = {"type": "string", "pattern": r"\.ya?ml$", "description": "a file below the folder of the sheet"}
-    shared = {**problem, subject: {"anyOf": [given, file]}}
-    asked = _asked(subject, GivenQuestion, {}, definitions)
-    several = _closed(
-        {**shared, "questions": {"type": "array", "items": {"anyOf": asked}}}, [subject, "questions"]
-    )
-    return {"anyOf": [several, *_asked(subject, GivenAsked, shared, definitions)]}
+def _problem(own: Part, definitions: dict[str, Part]) -> Part:
+    """Its subject decides what may be asked; one question may stand on the problem itself."""
+    every = subjects.subjects()
+    options = {kind: definitions[kind]["properties"] for kind in map(_name, {kind for *_, kind in _kinds()})}
+    properties: Part = dict(own["properties"])
+    for name in properties:  # `given` is an option of a kind too, and kinds may stand on the problem
+        forms = [properties[name], *(option[name] for option in options.values() if name in option)]
+        properties[name] = {"anyOf": forms, **_said(properties[name])} if len(forms) > 1 else forms[0]
+    properties |= {subject: _to(subject) for subject in every}
+    properties["questions"] = {"type": "array", "minItems": 1, "description": "The questions, in order."}
+    return {
+        **own,
+        "title": "Problem",
+        "properties": properties,
+        "required": [],
+        "oneOf": [_subject_is(subject) for subject in every],
+        "allOf": [{"if": _subject_is(subject), "then": _about(subject)} for subject in every],
+        "if": {"required": ["questions"]},
+        "else": _to("asked"),
+        "unevaluatedProperties": False,
+    }
 
 
-def _asked(
-    subject: str, model: type[GivenAsked], shared: dict[str, Any], definitions: dict[str, Any]
-) -> list[dict[str, Any]]:
-    """A question of each kind, with its options beside `find`."""
-    found = []
-    for kind in kinds.kinds_of(subject):
-        options = _schema(kinds.load(subject, kind).Options, definitions)
-        common = _schema(model, definitions)["properties"]
-        own = options.get("properties", {})
-        for name in described(kinds.load(subject, kind).Options):
-            own[name] = _schema(subjects.load(name).Given, definitions)
-        both = {key: {"anyOf": [shared[key], own[key]]} for key in shared.keys() & own.keys()}
-        properties = {**shared, **common, **own, **both, "find": {"const": kind}}
-        required = ["find", *([subject] if shared else ()), *options.get("required", ())]
-        found.append(_closed(properties, required))
-    return found
+def _subject_is(subject: str) -> Part:
+    """Whether this is what a problem is about, and no option of a kind that is described like a subject."""
+    beside = [{"required": [other]} for other, option in _described() if option == subject]
+    return {"required": [subject], **({"not": {"anyOf": beside}} if beside else {})}
 
 
-def _closed(properties: dict[str, Any], required: list[str]) -> dict[str, Any]:
-    return {"type": "object", "properties": properties, "required": required, "additionalProperties": False}
+def _about(subject: str) -> Part:
+    """What a subject brings into a problem: questions, or the options of one question beside `find`."""
+    asked = {"allOf": [_to("question"), _to(f"{subject}-question")], "unevaluatedProperties": False}
+    listed = {"properties": {"questions": {"items": asked}}}
+    return {**listed, "if": {"required": ["questions"]}, "else": _to(f"{subject}-question")}
 
 
-def _schema(model: Any, definitions: dict[str, Any]) -> dict[str, Any]:
-    """The schema of a model; what it refers to goes to the definitions of the whole."""
-    schema = model_schema(TypeAdapter(model))
-    definitions.update(schema.pop("$defs", {}))
-    return schema
+def _asked(subject: str) -> Part:
+    """A question about a subject: which kinds there are, and the options of each."""
+    every = kinds.kinds_of(subject)
+    find = {"enum": list(every), "enumDescriptions": [_first_line(subject, kind) for kind in every]}
+    chosen = [
+        {"if": {"properties": {"find": {"const": kind}}, "required": ["find"]}, "then": _to(_name(module))}
+        for kind, module in every.items()
+        if _has_options(subject, kind)
+    ]
+    return {"properties": {"find": find}, **({"allOf": chosen} if chosen else {})}
+
+
+def _kind(options: Part, model: Any, doc: str | None) -> Part:
+    """The options of one kind, but for those that stand beside `find` whatever the kind."""
+    own = {name: part for name, part in options.get("properties", {}).items() if name not in ASKED_KEYS}
+    own |= {name: _to(name) for name in described(model)}
+    wanted = {"required": options["required"]} if options.get("required") else {}
+    return {"description": doc or "", "properties": own, **wanted}
+
+
+def _kinds() -> Iterable[tuple[str, str, str]]:
+    return ((subject, *each) for subject in subjects.subjects() for each in kinds.kinds_of(subject).items())
+
+
+def _described() -> frozenset[Described]:
+    found = ((subject, described(kinds.load(subject, kind).Options)) for subject, kind, _ in _kinds())
+    return frozenset((subject, option) for subject, options in found for option in options)
+
+
+def _has_options(subject: str, kind: str) -> bool:
+    return bool(kinds.load(subject, kind).Options.model_fields.keys() - ASKED_KEYS)
+
+
+def _resolved(part: Part, shared: dict[str, Part]) -> Part:
+    """The definition itself, where all that a model gave is a reference to it."""
+    return dict(shared[part["$ref"].rpartition("/")[2]]) if part.keys() == {"$ref"} else part
+
+
+def _open(part: Part) -> Part:
+    """A part of what may stand somewhere; what is in none of the parts is refused by the whole."""
+    return {key: value for key, value in part.items() if key != "additionalProperties"}
+
+
+def _untitled(part: Part) -> Part:
+    return {key: value for key, value in part.items() if key not in ("title", "description")}
+
+
+def _said(part: Part) -> Part:
+    return {"description": part["description"]} if "description" in part else {}
+
+
+def _to(name: str) -> Part:
+    return {"$ref": f"#/$defs/{name}"}
+
+
+def _name(module: str) -> str:
+    return module.removeprefix("derive.kinds.").replace("_", "-")
+
+
+def _meaning(subject: str) -> str:
+    return (inspect.getdoc(subjects.load(subject)) or "").partition("\n")[0].partition(": ")[2]
+
+
+def _first_line(subject: str, kind: str) -> str:
+    return (inspect.getdoc(kinds.load(subject, kind)) or "").partition("\n")[0]
