@@ -30,7 +30,7 @@ from derive.expression import (
     symbols,
 )
 from derive.read_back import MISPRINTED, read_back, reading_of
-from derive.render import entries, latex, layout, lettering, names, phrases, trig, words
+from derive.render import chain_links, entries, latex, layout, lettering, names, phrases, trig
 from derive.render.document import Document
 from derive.render.latex import Printer
 from derive.render.notation import Notation
@@ -172,7 +172,7 @@ MISTAKES: dict[str, Patch] = {
     "a format that loses a sign": of_module(Skin, "display", in_text(" - ", " + ")),
     "a format that loses a line": of_module(Skin, "display", in_text(" \\\\\n", "")),
     "another relation": of_module(phrases.Speech, "_relation", in_text(">", "<")),
-    "an equal sign for what is rounded": of_module(words, "is_approximate", lambda right, expr: False),
+    "an equal sign for what is rounded": of_module(chain_links, "is_approximate", lambda right, expr: False),
 }  # fmt: skip
 
 
@@ -276,7 +276,7 @@ def wide(printer: Printer) -> Said:
     chain = (Symbol("D"), Matrix(((long[0], long[1]), (long[2], long[3]))))
     (shown, listed) = entries.with_named_entries(chain, printer)
     assert len(listed) == 4
-    display = layout.lay_out((words.chain_links(shown, printer),))
+    display = layout.lay_out((chain_links.chain_links(shown, printer),))
     naming = Naming(chain[0], chain[-1], shown[-1], tuple((name, tree) for name, tree in listed))
     return Said("1.1", None, (Printed.display(display, printer.notation, (naming,)),))
 
