@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import inspect
+from collections.abc import Iterable
+from textwrap import wrap
 from types import ModuleType
 from typing import Any
 
@@ -10,9 +12,10 @@ from derive.errors import SheetError, SheetErrors
 from derive.kinds import registry as kinds
 from derive.render.questions import example_of, results_of
 from derive.sheet.faults import did_you_mean
+from derive.sheet.fields_listed import Field, listed
 from derive.sheet.subjects import registry as subjects
 
-TYPES = {"string": "text", "integer": "a whole number", "number": "a number", "boolean": "true or false"}
+WIDTH = 110
 COMMENTS = """\
 # Build it with: derive {name}.yaml
 # Everything stays exact until it is printed: 0.1 m is 1/10, 30 deg is pi/6. A star marks a joint
@@ -29,7 +32,8 @@ def overview() -> str:
         for kind in kinds.kinds_of(subject):
             lines.append(f"  {kind:<{width}}  {_first_line(kinds.load(subject, kind))}")
         lines.append("")
-    lines.append("'derive kinds KIND' shows the options, the results and an example of one of them.")
+    lines.append("'derive kinds SUBJECT' shows how a subject is described, 'derive kinds SUBJECT KIND' or")
+    lines.append("'derive kinds KIND' the options, the results and an example of one question.")
     return "\n".join(lines) + "\n"
 
 
@@ -42,15 +46,45 @@ def table() -> str:
     return "\n".join(rows) + "\n"
 
 
-def describe(kind: str) -> str:
-    """What one kind answers, its options and results, and a runnable example; of a name that means
-    different things of different subjects each of them. Raises SheetErrors."""
-    return "\n".join(_described(kind, owners, module) for owners, module in _find(kind))
+def describe(name: str, kind: str | None = None) -> str:
+    """All about a subject, or about what can be asked of it; of a name that means different things of
+    different subjects, about each of them. Raises SheetErrors."""
+    if kind is not None:
+        _require(name, subjects.subjects(), "subject")
+        _require(kind, kinds.kinds_of(name), "kind", f" for {name}")
+        return _described(kind, [name], kinds.load(name, kind))
+    about = [_subject(name)] if name in subjects.subjects() else []
+    if about and not any(name in kinds.kinds_of(subject) for subject in subjects.subjects()):
+        return about[0]
+    return "\n".join([*about, *(_described(name, owners, module) for owners, module in _find(name))])
+
+
+def _subject(subject: str) -> str:
+    """What a subject is, how it is described, and what can be asked of it."""
+    module = subjects.load(subject)
+    asked = {kind: _first_line(kinds.load(subject, kind)) for kind in kinds.kinds_of(subject)}
+    example = example_of(next(iter(kinds.kinds_of(subject).values())))
+    blocks = [
+        inspect.getdoc(module) or "",
+        _fields("Fields", module.Given),
+        _listed("What can be asked", asked),
+    ]
+    blocks += ["Example:\n\n" + _indented(example.strip())]
+    return (
+        "\n\n".join([*blocks, f"'derive kinds {subject} KIND' shows the options and results of one."]) + "\n"
+    )
+
+
+def _require(name: str, known: Iterable[str], what: str, whose: str = "") -> None:
+    """Raises SheetErrors for a name that is not known, with the one that was probably meant."""
+    if name not in (names := list(known)):
+        hint = did_you_mean(name, names, f"{what}s{whose}")
+        raise SheetErrors([SheetError(f"there is no {what} '{name}'{whose}", None, hint)])
 
 
 def _described(kind: str, owners: list[str], module: ModuleType) -> str:
     blocks = [f"{kind} ({', '.join(owners)})", inspect.getdoc(module) or ""]
-    blocks.append(_listed("Options", _options(module), _about(module.Options)))
+    blocks.append(_fields("Options", module.Options))
     blocks.append(_listed("Results", results_of(module.__name__)))
     blocks.append("Example:\n\n" + _indented(example_of(module.__name__).strip()))
     return "\n\n".join(block for block in blocks if block) + "\n"
@@ -71,49 +105,34 @@ def _find(kind: str) -> list[tuple[list[str], ModuleType]]:
             found.setdefault(known[kind], []).append(subject)
     if not found:
         every = {known for subject in subjects.subjects() for known in kinds.kinds_of(subject)}
-        raise SheetErrors(
-            [SheetError(f"there is no kind '{kind}'", None, did_you_mean(kind, every, "kinds"))]
-        )
+        _require(kind, every | set(subjects.subjects()), "kind")
     return [(sorted(owners), kinds.load(owners[0], kind)) for owners in found.values()]
 
 
-def _options(module: ModuleType) -> dict[str, str]:
-    schema = module.Options.model_json_schema(by_alias=True)
-    return {name: _option(part, schema) for name, part in schema.get("properties", {}).items()}
+def _fields(title: str, model: Any) -> str:
+    """The fields of a model under a title, and those of what may stand inside of it."""
+    blocks = []
+    for index, each in enumerate(listed(model)):
+        head = title if index == 0 else f"  {each.form}"
+        entries = {field.name: _sentence(field) for field in each.fields}
+        blocks.append(_listed(head, entries, each.about.replace("`", "")))
+    return "\n\n".join(blocks)
 
 
-def _option(part: dict[str, Any], schema: dict[str, Any]) -> str:
-    """What may stand there, and what does where it is left out."""
-    default = part.get("default")
-    said = f" (default {default})" if default not in (None, "", []) else ""
-    return _form(part, schema) + said
-
-
-def _form(part: dict[str, Any], schema: dict[str, Any]) -> str:
-    if "$ref" in part:
-        return _form(schema["$defs"][part["$ref"].rsplit("/", 1)[-1]], schema)
-    if "anyOf" in part:
-        forms = (_form(form, schema) for form in part["anyOf"] if form.get("type") != "null")
-        return " or ".join(dict.fromkeys(forms))
-    if "enum" in part:
-        return " or ".join(map(str, part["enum"]))
-    if "prefixItems" in part:
-        return "[" + ", ".join(_form(item, schema) for item in part["prefixItems"]) + "]"
-    if "items" in part:
-        return f"a list of: {_form(part['items'], schema)}"
-    return str(part.get("description", "")).replace("\n", " ") or TYPES.get(str(part.get("type")), "")
-
-
-def _about(options: type) -> str:
-    """What the author of a kind says of its options."""
-    return _indented((inspect.getdoc(options) or "").replace("`", ""), 2)
+def _sentence(field: Field) -> str:
+    return f"{field.form}: {field.said}" if field.said and field.form else field.form or field.said
 
 
 def _listed(title: str, entries: dict[str, str], about: str = "") -> str:
     width = max((len(name) for name in entries), default=0)
-    lines = [f"  {name:<{width}}  {meaning}".rstrip() for name, meaning in entries.items()]
-    head = [f"{title}:", *([about, ""] if about else ())]
+    lines = [_wrapped(meaning, f"  {name:<{width}}  ") for name, meaning in entries.items()]
+    head = [f"{title}:", *([_wrapped(about, "  "), ""] if about else ())]
     return "\n".join([*head, *lines]) if lines else f"{title}: none"
+
+
+def _wrapped(text: str, first: str) -> str:
+    lines = wrap(text, WIDTH, initial_indent=first, subsequent_indent=" " * len(first))
+    return "\n".join(lines) or first.rstrip()
 
 
 def _indented(text: str, by: int = 4) -> str:

@@ -239,16 +239,18 @@ def check(sheets: tuple[Path, ...], style: str) -> None:
         raise click.exceptions.Exit(1)
 
 
-@main.command(short_help="Say what can be asked, or all about one kind.")
+@main.command(short_help="Say what can be asked, or all about one subject or kind.")
+@click.argument("name", metavar="[SUBJECT | KIND]", required=False)
 @click.argument("kind", required=False)
 @click.option("--format", "style", type=click.Choice(["text", "markdown"]), default="text", show_default=True)
-def kinds(kind: str | None, style: str) -> None:
-    """Say what can be asked; of one KIND its options, its results and a runnable example."""
+def kinds(name: str | None, kind: str | None, style: str) -> None:
+    """Say what can be asked. Of a SUBJECT how it is described and what can be asked of it; of a KIND its
+    options, its results and a runnable example."""
     from derive import catalogue
 
     whole = catalogue.table if style == "markdown" else catalogue.overview
     with guarded():
-        page(whole() if kind is None else catalogue.describe(kind))
+        page(whole() if name is None else catalogue.describe(name, kind))
 
 
 @main.command()

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from derive import catalogue
+from derive.errors import SheetErrors
 from derive.kinds import registry as kinds
 from derive.sheet.subjects import registry as subjects
 
@@ -23,9 +24,40 @@ def test_the_readme_lists_the_kinds() -> None:
 @pytest.mark.parametrize("kind", EVERY)
 def test_every_kind_is_described(kind: str) -> None:
     said = catalogue.describe(kind)
-    assert said.startswith(f"{kind} (")
+    assert said.startswith(f"{kind} (") or kind in subjects.subjects()
     assert "Results:" in said
     assert "Example:\n\n    title: " in said
+
+
+@pytest.mark.parametrize("subject", subjects.subjects())
+def test_every_subject_is_described(subject: str) -> None:
+    said = catalogue.describe(subject)
+    assert said.startswith(f"{subject}: ")
+    assert "Fields:" in said
+    assert "Example:\n\n    title: " in said
+    assert all(f"\n  {kind} " in said for kind in kinds.kinds_of(subject))
+
+
+def test_a_kind_of_one_subject() -> None:
+    assert catalogue.describe("function", "jacobian").startswith("jacobian (function)\n")
+    assert "jacobian (robot)" in catalogue.describe("jacobian")
+    assert "path: a line" in catalogue.describe("path") and "path (path)" in catalogue.describe("path")
+
+
+@pytest.mark.parametrize(
+    ("asked", "message", "hint"),
+    [
+        (("robto",), "there is no kind 'robto'", "did you mean robot?"),
+        (("robto", "jacobian"), "there is no subject 'robto'", "did you mean robot?"),
+        (("motor", "jacobian"), "there is no kind 'jacobian' for motor", "kinds for motor: "),
+    ],
+)
+def test_what_is_not_there(asked: tuple[str, ...], message: str, hint: str) -> None:
+    with pytest.raises(SheetErrors) as caught:
+        catalogue.describe(*asked)
+    (error,) = caught.value.errors
+    assert error.message == message
+    assert error.hint.startswith(hint)
 
 
 def test_forms_of_options_in_words() -> None:

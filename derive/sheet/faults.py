@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Iterable, Set
 from difflib import SequenceMatcher, get_close_matches
 from functools import cache
-from typing import Any, Literal
+from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
-from pydantic.json_schema import GenerateJsonSchema
 
 from derive.errors import FormulaError, SheetError
 from derive.sheet.cut import before, cut_fault, cut_off
+from derive.sheet.model_schema import model_schema
 from derive.sheet.source import At, Route
 
 MOST = 100  # faults of one value that are told one by one
@@ -233,26 +233,6 @@ def _branches(schema: dict[str, Any], route: Route) -> list[dict[str, Any]]:
     for step in route:
         branches = [part for branch in branches for part in _parts(schema, branch, step)]
     return [flat for branch in branches for flat in _flat(schema, branch)]
-
-
-class _Quiet(GenerateJsonSchema):
-    def emit_warning(self, kind: Any, detail: str) -> None:
-        """Formulas as defaults are left out of a schema; older releases of pydantic would say so."""
-
-
-def model_schema(adapter: TypeAdapter[Any]) -> dict[str, Any]:
-    """The JSON Schema of a type, without a word where a default value has no JSON of its own."""
-    return adapter.json_schema(schema_generator=_Quiet)
-
-
-def models_schema(
-    adapters: Mapping[str, TypeAdapter[Any]],
-) -> tuple[dict[str, dict[str, Any]], dict[str, dict[str, Any]]]:
-    """The JSON Schemas of several types, each by its name, and the definitions that they share."""
-    mode: Literal["validation"] = "validation"
-    inputs = [(name, mode, adapter) for name, adapter in adapters.items()]
-    found, shared = TypeAdapter.json_schemas(inputs, schema_generator=_Quiet)
-    return {name: part for (name, _), part in found.items()}, shared.get("$defs", {})
 
 
 @cache

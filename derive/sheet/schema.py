@@ -14,8 +14,8 @@ from pydantic import TypeAdapter
 
 from derive.kinds import registry as kinds
 from derive.kinds.fields import described
-from derive.sheet.faults import models_schema
 from derive.sheet.given import ASKED_KEYS, GivenAsked, GivenProblem, GivenQuestion, GivenSheet
+from derive.sheet.model_schema import models_schema
 from derive.sheet.schema_parts import Part, hoisted, named, of_yaml, reached, trimmed
 from derive.sheet.subjects import registry as subjects
 

@@ -30,7 +30,7 @@ def trimmed(schema: Part) -> Part:
 
     def trim(part: Part) -> Part:
         if "properties" in part:
-            fields = {name: _untitled(field) for name, field in part["properties"].items()}
+            fields = {name: _described(field) for name, field in part["properties"].items()}
             part = {**part, "properties": fields}
         if part.get("default", 0) in ("", None, [], {}):
             part = {key: value for key, value in part.items() if key != "default"}
@@ -39,8 +39,13 @@ def trimmed(schema: Part) -> Part:
     return _mapped(schema, trim)
 
 
-def _untitled(field: Part) -> Part:
-    return {key: value for key, value in field.items() if key != "title"}
+def _described(field: Part) -> Part:
+    """What a field is for, and which sort of value it takes."""
+    said, form = (str(field.get(key, "")) for key in ("said", "description"))
+    rest = {key: value for key, value in field.items() if key not in ("title", "said")}
+    if said and form:
+        form = f"{said.rstrip('.')}: {form[0].lower()}{form[1:].rstrip('.')}."
+    return {**rest, **({"description": form or said} if form or said else {})}
 
 
 def _optional(part: Part) -> Part:

@@ -1,0 +1,70 @@
+"""JSON Schemas of the models, with what their authors say of each field: the text that stands below it."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+from collections.abc import Iterator, Mapping
+from functools import cache
+from itertools import pairwise
+from textwrap import dedent
+from typing import Any, Literal, TypeAlias
+
+from pydantic import BaseModel, TypeAdapter
+from pydantic.json_schema import GenerateJsonSchema
+
+Part: TypeAlias = dict[str, Any]
+
+
+class _Quiet(GenerateJsonSchema):
+    def emit_warning(self, kind: Any, detail: str) -> None:
+        """Formulas as defaults are left out of a schema; older releases of pydantic would say so."""
+
+
+class _Told(_Quiet):
+    """With what is said of every field, under `said`: its description is that of what may stand there."""
+
+    def model_schema(self, schema: Any) -> Part:
+        found = super().model_schema(schema)
+        said = told(schema["cls"])
+        for name, field in schema["cls"].model_fields.items():
+            part = found.get("properties", {}).get(field.alias or name)
+            if part is not None and name in said:
+                part["said"] = said[name]
+        return found
+
+
+def model_schema(adapter: TypeAdapter[Any]) -> Part:
+    """The JSON Schema of a type, without a word where a default value has no JSON of its own."""
+    return adapter.json_schema(schema_generator=_Quiet)
+
+
+def told_schema(adapter: TypeAdapter[Any]) -> Part:
+    """The same with what is said of every field."""
+    return adapter.json_schema(schema_generator=_Told)
+
+
+def models_schema(adapters: Mapping[str, TypeAdapter[Any]]) -> tuple[dict[str, Part], dict[str, Part]]:
+    """The JSON Schemas of several types, each by its name, and the definitions that they share."""
+    mode: Literal["validation"] = "validation"
+    inputs = [(name, mode, adapter) for name, adapter in adapters.items()]
+    found, shared = TypeAdapter.json_schemas(inputs, schema_generator=_Told)
+    return {name: part for (name, _), part in found.items()}, shared.get("$defs", {})
+
+
+@cache
+def told(model: type[BaseModel]) -> Mapping[str, str]:
+    """What stands below each field of a model and of those that it extends."""
+    return {name: text for each in reversed(model.__mro__) for name, text in _below_fields(each)}
+
+
+def _below_fields(model: type[Any]) -> Iterator[tuple[str, str]]:
+    if not issubclass(model, BaseModel) or model is BaseModel:
+        return
+    (written,) = ast.parse(dedent(inspect.getsource(model))).body
+    assert isinstance(written, ast.ClassDef)
+    for field, text in pairwise(written.body):
+        if isinstance(field, ast.AnnAssign) and isinstance(text, ast.Expr):
+            assert isinstance(field.target, ast.Name)
+            assert isinstance(text.value, ast.Constant)
+            yield field.target.id, " ".join(str(text.value.value).split())
