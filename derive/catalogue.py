@@ -11,13 +11,16 @@ from typing import Any
 from derive.errors import SheetError, SheetErrors
 from derive.kinds import registry as kinds
 from derive.render.questions import example_of, results_of
+from derive.render.skin import templates
 from derive.sheet.faults import did_you_mean
 from derive.sheet.fields_listed import Field, listed
 from derive.sheet.subjects import registry as subjects
 
 WIDTH = 110
-COMMENTS = """\
-# Build it with: derive {name}.yaml
+SCHEMA = "derive-schema.json"  # beside a sheet: what an editor reads
+COMMENTS = f"""\
+# yaml-language-server: $schema={SCHEMA}
+# Build it with: derive {{name}}.yaml
 # Everything stays exact until it is printed: 0.1 m is 1/10, 30 deg is pi/6. A star marks a joint
 # variable (theta1*). 'derive kinds' lists what can be asked.
 """
@@ -91,9 +94,11 @@ def _described(kind: str, owners: list[str], module: ModuleType) -> str:
 
 
 def starter(name: str, kind: str | None) -> str:
-    """A sheet to start from: the example of a kind under a few comments. Raises SheetErrors."""
-    chosen = kind or next(iter(kinds.kinds_of("robot")), "")
-    _, module = _find(chosen)[0]
+    """A sheet to start from under a few comments: a tour of the language, or the example of a kind.
+    Raises SheetErrors."""
+    if kind is None:
+        return COMMENTS.format(name=name) + (templates() / "tour.yaml").read_text(encoding="utf-8")
+    _, module = _find(kind)[0]
     return COMMENTS.format(name=name) + example_of(module.__name__).strip() + "\n"
 
 

@@ -257,26 +257,29 @@ def kinds(name: str | None, kind: str | None, style: str) -> None:
 @click.argument("name")
 @click.option("--kind", help="Start from the example of this kind.")
 def new(name: str, kind: str | None) -> None:
-    """Write a commented sheet to start from, NAME.yaml. It builds as it stands."""
-    from derive.catalogue import starter
+    """Write a commented sheet to start from, NAME.yaml. It builds as it stands.
+
+    The schema for editors is written beside it, derive-schema.json.
+    """
+    from derive.catalogue import SCHEMA, starter
+    from derive.sheet.schema import schema_text
 
     target = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
     if target.exists():
         raise click.UsageError(f"{target} exists already; choose another name")
     with guarded():
         target.write_text(starter(target.stem, kind), encoding="utf-8")
+        (target.parent / SCHEMA).write_text(schema_text(), encoding="utf-8")
         say(str(target))
 
 
 @main.command()
 def schema() -> None:
     """Print the JSON Schema of the sheet language, for editors."""
-    import json
-
-    from derive.sheet.schema import sheet_schema
+    from derive.sheet.schema import schema_text
 
     with guarded():
-        page(json.dumps(sheet_schema(), indent=2, ensure_ascii=False) + "\n")
+        page(schema_text())
 
 
 @main.command()

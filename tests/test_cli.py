@@ -198,6 +198,15 @@ def test_new_sheet_builds(folder: Path) -> None:
     assert run("mine.yaml", "--format", "json").exit_code == 0
 
 
+def test_the_tour_builds_and_its_answers_hold(folder: Path) -> None:
+    assert run("new", "tour").exit_code == 0
+    assert run("tour.yaml", "--format", "json").exit_code == 0
+    assert "4 equal" in run("check", "tour.yaml").stdout
+    first = (folder / "tour.yaml").read_text(encoding="utf-8").partition("\n")[0]
+    assert first == "# yaml-language-server: $schema=derive-schema.json"
+    assert (folder / "derive-schema.json").read_text(encoding="utf-8") == run("schema").stdout
+
+
 def test_schema() -> None:
     schema = json.loads(run("schema").stdout)
     assert {"title", "problems", "where"} <= schema["properties"].keys()

@@ -10,6 +10,7 @@ from click.testing import CliRunner
 from jsonschema import Draft202012Validator
 from ruamel.yaml import YAML
 
+from derive.catalogue import starter
 from derive.cli import main
 from derive.kinds import registry as kinds
 from derive.render.questions import example_of
@@ -25,6 +26,7 @@ SHEETS |= {
     for subject in subjects.subjects()
     for kind, module in kinds.kinds_of(subject).items()
 }
+SHEETS |= {"tour": starter("tour", None)}
 ARM = "robot: {links: [{theta: theta1*, d: 0, a: l, alpha: 0}]}"
 
 

@@ -7,6 +7,7 @@ asked for (`if`, `then`): an editor offers and marks what belongs there, and doe
 from __future__ import annotations
 
 import inspect
+import json
 from collections.abc import Iterable
 from typing import Any, TypeAlias
 
@@ -22,6 +23,11 @@ from derive.sheet.subjects import registry as subjects
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 FILE = {"type": "string", "pattern": r"\.ya?ml$", "description": "a file below the folder of the sheet"}
 Described: TypeAlias = tuple[str, str]  # a subject, and one that may stand beside it as an option of a kind
+
+
+def schema_text() -> str:
+    """The schema as the text of a file."""
+    return json.dumps(sheet_schema(), indent=2, ensure_ascii=False) + "\n"
 
 
 def sheet_schema() -> Part:
