@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -100,3 +101,30 @@ def test_every_value_of_find_is_described(schema: Draft202012Validator) -> None:
 def test_every_reference_leads_somewhere(printed: str, schema: Draft202012Validator) -> None:
     named = {text.split('"')[0] for text in printed.split('"$ref": "#/$defs/')[1:]}
     assert named == schema.schema["$defs"].keys()
+
+
+def test_every_field_is_described(schema: Draft202012Validator) -> None:
+    """By the text below it in its model."""
+    definitions = {"sheet": schema.schema, **schema.schema["$defs"]}
+    fields = [(f"{name}.{key}", field) for name, part in definitions.items() for key, field in _fields(part)]
+    assert len(fields) > 300
+    subject = {f"#/$defs/{name}" for name in subjects.subjects()}
+    silent = [
+        name
+        for name, field in fields
+        if len(field.get("description", "")) < 8 and field.get("$ref") not in subject
+    ]
+    assert silent == []
+
+
+def _fields(part: Any) -> Iterator[tuple[str, Any]]:
+    """The fields of a schema and of all that stands in it, but for the tests of a choice."""
+    if isinstance(part, list):
+        for inner in part:
+            yield from _fields(inner)
+    if isinstance(part, dict):
+        fields = part.get("properties", {})
+        yield from ((key, field) for key, field in fields.items() if key not in ("questions", "find"))
+        for key, inner in part.items():
+            if key not in ("if", "$defs"):
+                yield from _fields(list(inner.values()) if key == "properties" else inner)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import inspect
 import json
-from collections.abc import Iterable
+from functools import cache
 from typing import Any, TypeAlias
 
 from pydantic import TypeAdapter
@@ -60,7 +60,8 @@ def _problem(own: Part, definitions: dict[str, Part]) -> Part:
     properties: Part = dict(own["properties"])
     for name in properties:  # `given` is an option of a kind too, and kinds may stand on the problem
         forms = [properties[name], *(option[name] for option in options.values() if name in option)]
-        properties[name] = {"anyOf": forms, **_said(properties[name])} if len(forms) > 1 else forms[0]
+        said = {"said": properties[name]["said"]}
+        properties[name] = {"anyOf": list(map(_unsaid, forms)), **said} if len(forms) > 1 else forms[0]
     properties |= {subject: _to(subject) for subject in every}
     properties["questions"] = {"type": "array", "minItems": 1, "description": "The questions, in order."}
     return {
@@ -104,15 +105,19 @@ def _asked(subject: str) -> Part:
 def _kind(options: Part, model: Any, doc: str | None) -> Part:
     """The options of one kind, but for those that stand beside `find` whatever the kind."""
     own = {name: part for name, part in options.get("properties", {}).items() if name not in ASKED_KEYS}
-    own |= {name: _to(name) for name in described(model)}
+    own |= {name: {**_to(name), "said": own[name]["said"]} for name in described(model)}
     wanted = {"required": options["required"]} if options.get("required") else {}
     return {"description": doc or "", "properties": own, **wanted}
 
 
-def _kinds() -> Iterable[tuple[str, str, str]]:
-    return ((subject, *each) for subject in subjects.subjects() for each in kinds.kinds_of(subject).items())
+@cache
+def _kinds() -> tuple[tuple[str, str, str], ...]:
+    """Every subject with each of its kinds and the module of that."""
+    every = subjects.subjects()
+    return tuple((subject, *each) for subject in every for each in kinds.kinds_of(subject).items())
 
 
+@cache
 def _described() -> frozenset[Described]:
     found = ((subject, described(kinds.load(subject, kind).Options)) for subject, kind, _ in _kinds())
     return frozenset((subject, option) for subject, options in found for option in options)
@@ -136,8 +141,8 @@ def _untitled(part: Part) -> Part:
     return {key: value for key, value in part.items() if key not in ("title", "description")}
 
 
-def _said(part: Part) -> Part:
-    return {"description": part["description"]} if "description" in part else {}
+def _unsaid(part: Part) -> Part:
+    return {key: value for key, value in part.items() if key not in ("title", "said", "default")}
 
 
 def _to(name: str) -> Part:

@@ -26,10 +26,12 @@ TURNED_BACK = ("gears", "crossed", "harmonic")
 
 
 class Options(OptionsModel):
-    """`speed` and `torque` of the motor, where those of the load are asked."""
+    """What the motor does, where the speed and the torque of the load are asked."""
 
     speed: AngularSpeed | None = None
+    """The speed of the motor."""
     torque: Torque | None = None
+    """The torque of the motor."""
 
 
 def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:

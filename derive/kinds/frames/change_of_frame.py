@@ -44,14 +44,18 @@ CLAIMS = ("orthogonal", "right-handed", "as-told", "said")
 
 
 class Options(OptionsModel):
-    """`vector` (free: a velocity, a force), `point` (bound) or `twist` (the velocity of the point at the
-    origin of the frame, then the angular velocity), its frame `from`, the frame wanted `to`."""
+    """What is to be written in another frame, and which frames these are."""
 
     vector: tuple[Quantity, Quantity, Quantity] | None = None
+    """A free vector: a velocity, a force."""
     point: tuple[Quantity, Quantity, Quantity] | None = None
+    """A bound vector: the coordinates of a point."""
     twist: tuple[Quantity, Quantity, Quantity, Quantity, Quantity, Quantity] | None = None
+    """The velocity of the point at the origin of the frame, then the angular velocity."""
     source: int | None = Field(default=None, alias="from", ge=0)
+    """The frame in which it is given; the last one if left out."""
     target: int = Field(default=0, alias="to", ge=0)
+    """The frame in which it is wanted."""
 
     @model_validator(mode="after")
     def _one_of_them(self) -> Options:

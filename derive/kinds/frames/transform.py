@@ -25,10 +25,12 @@ CLAIMS = ("orthogonal", "right-handed", "as-told")
 
 
 class Options(OptionsModel):
-    """The frame wanted, `from` (the last one if left out), and the frame it is seen from, `to`."""
+    """Which frame is wanted, seen from which."""
 
     source: int | None = Field(default=None, alias="from", ge=0)
+    """The frame that is wanted; the last one if left out."""
     target: int = Field(default=0, alias="to", ge=0)
+    """The frame that it is seen from."""
 
 
 class LineTold(Record):

@@ -19,9 +19,10 @@ CLAIMS = ("differences",)
 
 
 class Options(OptionsModel):
-    """`determinant: true` adds the determinant of a square Jacobian."""
+    """What is wanted beside the Jacobian."""
 
     determinant: bool = False
+    """Whether the determinant of a square Jacobian is wanted too."""
 
 
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:

@@ -31,9 +31,10 @@ CLAIMED = {"M": "along-a-motion", "equations": "along-a-motion"}
 
 
 class Options(OptionsModel):
-    """`solve: true` solves for the accelerations; under constraints that is done anyway."""
+    """The form of the equations."""
 
     solve: bool = False
+    """Whether they are solved for the accelerations; under constraints that is done anyway."""
 
 
 class Facts(PageFacts):

@@ -30,9 +30,10 @@ CLAIMED = {"solutions": "as-told"}
 
 
 class Options(OptionsModel):
-    """`inputs`: values of inputs that are not zero, such as a force that pushes all the time."""
+    """What holds the system."""
 
     inputs: Evaluation = None
+    """Values of inputs that are not zero, such as a force that pushes all the time."""
 
 
 class Facts(PageFacts):

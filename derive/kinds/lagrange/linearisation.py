@@ -36,11 +36,12 @@ CLAIMS = ("symmetric", "small-motion", "as-told")
 
 
 class Options(OptionsModel):
-    """`at`: the coordinates at rest, and inputs that are not zero there; what is left out stays a letter.
-    `inputs`: the names that drive the system (those that stand in the forces only, if left out)."""
+    """Where the equations are linearised, and what drives the system."""
 
     at: Evaluation = None
+    """The coordinates at rest and inputs that are not zero there; what is left out stays a letter."""
     inputs: tuple[Name, ...] | None = None
+    """The names that drive the system; those that stand in the forces only, if left out."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,13 +27,15 @@ CLAIMED = {"solutions": "legs-close"}
 
 
 class Options(OptionsModel):
-    """`position`: [x, y] of the point of a five-bar linkage, [x, y, z] of the middle of a platform; symbols
-    of these names where it is left out. `orientation`: three angles of a Stewart-Gough platform, in the order
-    of the `convention`, as in euler-angles; without them it is not turned."""
+    """The pose of the platform; letters stand for what is left out."""
 
     position: tuple[Length, ...] | None = Field(None, min_length=2, max_length=3)
+    """The point [x, y] of a five-bar linkage, or the middle [x, y, z] of a platform."""
     orientation: tuple[Angle, Angle, Angle] | None = None
+    """Three angles of a Stewart-Gough platform, which is not turned if they are left out."""
     convention: Annotated[str, AfterValidator(known_convention)] = "ZYX"
+    """The order in which the rotations are made: ZYX about current axes, xyz about world axes, as in
+    SciPy."""
 
 
 def derive(robot: FiveBar | Delta | Stewart, options: Options, problem: Problem) -> Derivation:

@@ -41,10 +41,11 @@ CLAIMS = ("skew-symmetric", "differences")
 
 
 class Options(OptionsModel):
-    """`rates`: the names that change in time. If left out, those are all that it is by, and where
-    the time t is among them the others are constants."""
+    """What changes in time."""
 
     rates: tuple[Name, ...] = ()
+    """The names that change in time. If left out, those are all that it is by, and where the time t is among
+    them the others are constants."""
 
 
 class Facts(PageFacts):

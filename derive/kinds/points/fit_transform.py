@@ -15,9 +15,10 @@ CLAIMED = {"R": "as-told", "p": "as-told", "rms": "as-told"}
 
 
 class Options(OptionsModel):
-    """`svd`: the best rotation; `rows`: each row of the transform by itself, which need be no rotation."""
+    """How the transform is fitted."""
 
     method: Literal["svd", "rows"] = "svd"
+    """svd: the best rotation; rows: each row of the transform by itself, which need be no rotation."""
 
 
 def claims_of(pairs: PointPairs, options: Options) -> tuple[str, ...]:

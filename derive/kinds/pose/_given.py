@@ -34,10 +34,12 @@ LONGEST_VALUE = 25  # likewise for what is made of the entries
 
 
 class PoseOptions(OptionsModel):
-    """A subject of frames takes `from` and `to`."""
+    """Of which frames the rotation is wanted, where the subject has several."""
 
     source: int | None = Field(default=None, alias="from", ge=0)  # the last one if left out
+    """The frame that is turned; the last one if left out."""
     target: int = Field(default=0, alias="to", ge=0)
+    """The frame that it is seen from."""
     evaluate: Evaluation = None
 
 

@@ -37,11 +37,13 @@ def known_convention(text: str) -> str:
 
 
 class Options(PoseOptions):
-    """`convention` as in SciPy: `ZYX` about current axes, `xyz` about world axes, in the order in which
-    the rotations are made; `angles`: their names in that order."""
+    """Which angles are wanted, and their names."""
 
     convention: Annotated[str, AfterValidator(known_convention)] = "ZYX"
+    """The order in which the rotations are made: ZYX about current axes, xyz about world axes, as in
+    SciPy."""
     angles: tuple[Name, Name, Name] | None = None
+    """Names for the three angles, in the order of the convention."""
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:

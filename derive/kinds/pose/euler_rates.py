@@ -51,12 +51,15 @@ CLAIMED = {"singular": "singular"}
 
 
 class Options(OptionsModel):
-    """`convention` and `angles` as of euler-angles; `in`: the axes of omega, those of the `base` (the world)
-    or of the `body`."""
+    """Which angles turn the body, and the axes of its angular velocity."""
 
     convention: Annotated[str, AfterValidator(known_convention)] = "ZYX"
+    """The order in which the rotations are made: ZYX about current axes, xyz about world axes, as in
+    SciPy."""
     angles: tuple[Name, Name, Name] | None = None
+    """Names for the three angles, in the order of the convention."""
     frame: Literal["base", "body"] = Field("base", alias="in")
+    """The axes of omega: those of the base (the world) or of the body."""
 
 
 class Facts(PageFacts):

@@ -29,11 +29,12 @@ CLAIMED = dict.fromkeys(
 
 
 class Options(OptionsModel):
-    """`law`: how the distance is covered, as fast as the limits allow if left out; then it may begin and end
-    with a velocity, and by `bang-bang` no limit of that is needed. Where symbols stand for the distance and
-    the limits, `evaluate` gives the time at a point and draws the motion."""
+    """Where symbols stand for the distance and the limits, `evaluate` gives the time at a point and draws the
+    motion."""
 
     law: Literal["cubic", "quintic", "cycloidal", "trapezoidal", "bang-bang"] = "trapezoidal"
+    """How the distance is covered; trapezoidal is as fast as the limits allow and may begin and end with a
+    velocity, and bang-bang needs no limit of that."""
     evaluate: Evaluation = None
 
 

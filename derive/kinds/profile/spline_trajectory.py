@@ -42,10 +42,11 @@ CLAIMED = {"q": "passes-every-point"}
 
 
 class Options(OptionsModel):
-    """`ends`: clamped (the velocities at the ends are given, zero if nothing is said) or natural (no
-    acceleration at the ends)."""
+    """What is said of the ends."""
 
     ends: Ends = "clamped"
+    """clamped: the velocities at the ends are given, zero if nothing is said; natural: no acceleration at the
+    ends."""
     evaluate: Evaluation = None
 
 

@@ -48,10 +48,10 @@ JUST = 1e-9  # of a factor that is 1
 
 
 class Options(OptionsModel):
-    """`law`: how the distance is covered; where symbols stand for something, `evaluate` gives the numbers at
-    a point and draws the motion."""
+    """Where symbols stand for something, `evaluate` gives the numbers at a point and draws the motion."""
 
     law: Literal["cubic", "quintic", "cycloidal"] = "cubic"
+    """How the distance is covered."""
     evaluate: Evaluation = None
 
 

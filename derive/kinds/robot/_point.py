@@ -24,8 +24,11 @@ class PointOn(OptionsModel):
     """`{link: 2, at: [-a2/2, 0, 0]}` in the link's own frame, or `{frame: 2}`: the origin of a frame."""
 
     link: int | None = Field(None, ge=1)
+    """The link on which the point lies."""
     frame: int | None = Field(None, ge=0)
+    """The frame whose origin the point is, 0 for the base."""
     at: Point = ORIGIN
+    """Where the point lies in the link's own frame; its origin if left out."""
 
 
 @dataclass(frozen=True, slots=True)

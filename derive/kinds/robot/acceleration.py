@@ -26,10 +26,12 @@ J, J_DOT, Q_DOT, Q_DDOT, A, ALPHA = symbols("J J_dot q_dot q_ddot a alpha")
 
 
 class Options(OptionsModel):
-    """`rows`: some components only; `point`: where, the end-effector if left out."""
+    """Which components are wanted, of which point."""
 
     rows: tuple[RowName, ...] = ()
+    """Some components only; all if left out."""
     point: PointOn | None = None
+    """The point whose motion counts; that of the end-effector if left out."""
 
 
 class Facts(PageFacts):

@@ -30,9 +30,10 @@ CLAIMS = ("table", "each-row|pose", "each-row|arm-composed", "as-measured")
 
 
 class Options(OptionsModel):
-    """`convention`: standard or modified; that of the robot if left out."""
+    """Which rows are wanted."""
 
     convention: Literal["standard", "modified"] | None = None
+    """Where the frames stand on the links; that of the robot if left out."""
 
 
 class End(Record):

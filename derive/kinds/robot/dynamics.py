@@ -26,9 +26,10 @@ measures = together(of_joints("tau", "g", "v", effort=True), P="J")
 
 
 class Options(OptionsModel):
-    """`notation`: spong (D, c_ijk, g by Euler and Lagrange) or khatib (M, v, G)."""
+    """Whose letters are used."""
 
     notation: Literal["spong", "khatib"] = "spong"
+    """spong: D, c_ijk and g by Euler and Lagrange; khatib: M, v and G."""
 
 
 FRICTIONS = {  # whether there is viscous and Coulomb friction, and what is said of it

@@ -33,11 +33,12 @@ A_1, T_BASE = symbols("A_1 T_base")
 
 
 class Options(OptionsModel):
-    """`to`: the last frame wanted; all of them if left out. `coordinates`: names for the x, y and z of its
-    origin, where only these are wanted."""
+    """How much of the chain is wanted."""
 
     to: int | None = Field(None, ge=1)
+    """The last frame wanted; all of them if left out."""
     coordinates: tuple[Name, ...] = Field((), max_length=3)
+    """Names for the x, y and z of its origin, where only these are wanted."""
 
 
 class Facts(PageFacts):

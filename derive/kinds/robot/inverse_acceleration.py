@@ -31,12 +31,15 @@ WANTED = {"vx": "ax", "vy": "ay", "vz": "az", "wx": "alphax", "wy": "alphay", "w
 
 
 class Options(OptionsModel):
-    """`rows`: the components ax, ay, ..., alphaz that are wanted, at `point`; or a `task`: functions of the
-    joint variables whose second derivatives r1_ddot, r2_ddot, ... are wanted."""
+    """Which accelerations are wanted, of which point."""
 
     rows: tuple[RowName, ...] = ()
+    """The components ax, ay, ..., alphaz that are wanted, by the velocities they are the rates of."""
     point: PointOn | None = None
+    """The point whose motion counts; that of the end-effector if left out."""
     task: tuple[Quantity, ...] = ()
+    """Functions of the joint variables whose second derivatives r1_ddot, r2_ddot, ... are wanted, in place of
+    rows."""
 
 
 class Facts(PageFacts):

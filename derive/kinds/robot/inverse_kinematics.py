@@ -25,12 +25,14 @@ measures = of_variables
 
 
 class Options(OptionsModel):
-    """`given`: `pose` (r11 ... r33, x, y, z), `orientation`, or names for the known coordinates of the
-    end-effector: two or three of its position, or two and its angle in the plane. `free`: joint variables
-    of a redundant arm that are chosen; the others are found from them and what is given."""
+    """What is known of the end-effector."""
 
     given: Given = ("x", "y")
+    """pose (r11 ... r33, x, y, z), orientation, or names for the known coordinates of the end-effector: two
+    or three of its position, or two and its angle in the plane."""
     free: Free = ()
+    """Joint variables of a redundant arm that are chosen; the others are found from them and what is
+    given."""
     evaluate: Evaluation = None
 
 

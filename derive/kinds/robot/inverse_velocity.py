@@ -48,12 +48,14 @@ measures = of_joints("qdot", power=1)
 
 
 class Options(OptionsModel):
-    """`rows`: the velocities that are wanted; `point`: where, the end-effector if left out; or a `task`:
-    functions of the joint variables whose rates r1_dot, r2_dot, ... are wanted."""
+    """Which velocities are wanted, of which point."""
 
     rows: tuple[RowName, ...] = ()
+    """The velocities that are wanted; as many as there are joints if left out."""
     point: PointOn | None = None
+    """The point whose motion counts; that of the end-effector if left out."""
     task: tuple[Quantity, ...] = ()
+    """Functions of the joint variables whose rates r1_dot, r2_dot, ... are wanted, in place of rows."""
 
 
 BY_JOINT = ("qdot",)

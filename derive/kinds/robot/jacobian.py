@@ -42,17 +42,23 @@ J, J_E = symbols("J J^e")
 
 
 class Options(OptionsModel):
-    """`point`: where (the end-effector if left out); `rows`: some rows only; `in`: the frame of the vectors;
-    `kind: analytic` has the rates of the Euler angles of a `convention` instead of the angular velocity."""
+    """Of which point the Jacobian is wanted, which rows of it, in which axes."""
 
     ONLY_WITH: ClassVar = {"convention": ("kind", "analytic"), "angles": ("kind", "analytic")}
 
     point: PointOn | None = None
+    """The point whose motion counts; that of the end-effector if left out."""
     rows: tuple[RowName, ...] = ()
+    """Some rows only, in this order; all six if left out."""
     frame: Literal["base", "tool"] = Field("base", alias="in")
+    """The axes in which the velocities are written."""
     kind: Literal["geometric", "analytic"] = "geometric"
+    """geometric: the angular velocity; analytic: the rates of three Euler angles instead."""
     convention: Annotated[str, AfterValidator(known_convention)] = "ZYX"
+    """The order in which the rotations are made: ZYX about current axes, xyz about world axes, as in
+    SciPy."""
     angles: tuple[Name, Name, Name] | None = None
+    """Names for the three angles, in the order of the convention."""
     evaluate: Evaluation = None
 
 

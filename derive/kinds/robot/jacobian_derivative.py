@@ -24,12 +24,14 @@ J, J_DOT, Q_DOT = symbols("J J_dot q_dot")
 
 
 class Options(OptionsModel):
-    """`rows`: some rows only, all that are not zero if left out; `point`: the end-effector if left out; or a
-    `task`: functions of the joint variables."""
+    """Which rows are wanted, of which point."""
 
     rows: tuple[RowName, ...] = ()
+    """Some rows only; all that are not zero if left out."""
     point: PointOn | None = None
+    """The point whose motion counts; that of the end-effector if left out."""
     task: tuple[Quantity, ...] = ()
+    """Functions of the joint variables, in place of rows."""
 
 
 class Facts(PageFacts):

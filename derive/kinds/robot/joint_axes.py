@@ -37,9 +37,10 @@ measures = of_variables
 
 
 class Options(OptionsModel):
-    """`to`: the last row whose joint is wanted; all of them if left out."""
+    """How many of the axes are wanted."""
 
     to: int | None = Field(None, ge=1)
+    """The last row whose joint is wanted; all of them if left out."""
 
 
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:

@@ -23,14 +23,16 @@ Start = Annotated[Place, PlainValidator(read_point), WithJsonSchema({"type": "ob
 
 
 class Options(OptionsModel):
-    """`path`: as the subject of this name, with a `timing` or as functions of the time t: two coordinates,
-    two and the angle of the last link, or three; `start`: joint variables near those of the solution that
-    is wanted, the first one if left out, or from which the rates are integrated; `evaluate`: the time t, and
-    values of symbols."""
+    """The path, and how the joints are found; `evaluate` gives the time t, and values of symbols."""
 
     path: Annotated[Path, Described(Path)]
+    """The path of the end-effector, as the subject of this name, with a timing or as functions of the time t:
+    two coordinates, two and the angle of the last link, or three."""
     method: Literal["inverse-kinematics", "inverse-velocity"] = "inverse-kinematics"
+    """Whether the joints are found at each point, or their rates are integrated."""
     start: Start = ()
+    """Joint variables near those of the solution that is wanted (the first one if left out), or from which
+    the rates are integrated."""
     evaluate: Evaluation = None
 
 

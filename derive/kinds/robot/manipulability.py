@@ -60,10 +60,12 @@ CLAIMS = ("singular-values|eigenvectors", "lines|said-of-the-axes", "rows-in-num
 
 
 class Options(OptionsModel):
-    """`rows`: the velocities that count; `point`: whose; `evaluate`: the configuration of the ellipsoids."""
+    """Which velocities count; `evaluate` gives the configuration of the ellipsoids."""
 
     rows: tuple[RowName, ...] = ()
+    """The velocities that count."""
     point: PointOn | None = None
+    """The point whose motion counts; that of the end-effector if left out."""
     evaluate: Evaluation = None
 
 

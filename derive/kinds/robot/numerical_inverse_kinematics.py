@@ -62,16 +62,20 @@ Start = Annotated[Place, PlainValidator(read_point), WithJsonSchema({"type": "ob
 
 
 class Options(OptionsModel):
-    """`target`: x, y in a plane (and the angle of the last link), or x, y, z; `start`: a value for each joint
-    variable; `step`: the fixed step of the gradient method, the best one for each step if left out."""
+    """Where the end-effector is to be, and how the joints are found."""
 
     ONLY_WITH: ClassVar = {"step": ("method", "gradient")}
 
     target: tuple[Quantity, ...] = Field(min_length=1, max_length=3)
+    """x, y in a plane (and the angle of the last link), or x, y, z."""
     start: Start = ()
+    """A value for each joint variable to begin with."""
     method: Literal["newton", "gradient"] = "newton"
+    """newton: by the inverse of the Jacobian; gradient: by its transpose."""
     iterations: int = Field(10, ge=1, le=200)
+    """How many are made at most."""
     step: Quantity | None = None
+    """The fixed step of the gradient method; the best one each time if left out."""
     evaluate: Annotated[Place | None, PlainValidator(read_point), WithJsonSchema({"type": "object"})] = None
 
 

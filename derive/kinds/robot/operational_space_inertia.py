@@ -34,10 +34,12 @@ DET, INVERSE = Call("det", (J,)), J**-1
 
 
 class Options(OptionsModel):
-    """`point`: where (the end-effector if left out); `rows`: no more velocities than joints."""
+    """Of which velocities, of which point."""
 
     point: PointOn | None = None
+    """The point whose motion counts; that of the end-effector if left out."""
     rows: tuple[RowName, ...] = ()
+    """The velocities that count, no more than there are joints."""
 
 
 class Facts(PageFacts):

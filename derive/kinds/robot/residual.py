@@ -49,9 +49,10 @@ POINTS, NEAR, STEP = 3, 1e-5, 1e-5
 
 
 class Options(OptionsModel):
-    """`gain`: of all joints, or a list with one for each; by its letter if left out."""
+    """The observer."""
 
     gain: Frequency | Annotated[tuple[Frequency, ...], Field(min_length=1)] | None = None
+    """The gain of all joints, or a list with one for each; a letter if left out."""
 
 
 class Facts(PageFacts):

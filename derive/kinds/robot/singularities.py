@@ -36,10 +36,12 @@ WHOLE = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 
 class Options(OptionsModel):
-    """`rows`: the velocities to be commanded; `point`: where, the end-effector if left out."""
+    """Which velocities are to be commanded, of which point."""
 
     rows: tuple[RowName, ...] = ()
+    """The velocities to be commanded."""
     point: PointOn | None = None
+    """The point whose motion counts; that of the end-effector if left out."""
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:

@@ -34,9 +34,10 @@ ORIGIN = ScalarMatrix.zeros(3, 1)
 
 
 class Options(OptionsModel):
-    """`in`: the frame of the twists, `space` (the base frame) or `body` (the end-effector's)."""
+    """Where the twists are seen from."""
 
     frame: Literal["space", "body"] = Field("space", alias="in")
+    """The frame of the twists: space (the base frame) or body (that of the end-effector)."""
 
 
 class Facts(PageFacts):

@@ -25,10 +25,11 @@ NEEDS = ("bodies",)
 
 
 class Options(OptionsModel):
-    """`at`: the equilibrium, values of joint variables; one left out stays as it is. Without `at` the
-    equations are not linearised."""
+    """Whether the equations are linearised, and where."""
 
     at: Evaluation = None
+    """The equilibrium, values of joint variables; one left out stays as it is. Without it nothing is
+    linearised."""
 
 
 class Facts(PageFacts):

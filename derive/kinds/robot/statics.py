@@ -38,15 +38,18 @@ measures = together(of_joints("tau", effort=True), wrench="")  # forces and mome
 
 
 class Options(OptionsModel):
-    """`force`: what the end-effector exerts along the `rows`, forces then moments, by name or value;
-    `point`: where it acts; `in`: the axes in which it is given, those of the base if left out; `acting`: on
-    the surroundings, or by them on the robot."""
+    """The force, and where it acts."""
 
     force: tuple[Quantity, ...] | None = Field(None, min_length=1, max_length=6)
+    """What the end-effector exerts along the rows, forces then moments, by name or value."""
     rows: tuple[RowName, ...] = ()
+    """The directions in which forces and moments act, as those of the velocities."""
     point: PointOn | None = None
+    """Where the force acts; at the end-effector if left out."""
     frame: Literal["base", "tool"] | None = Field(None, alias="in")
+    """The axes in which the force is given; those of the base if left out."""
     acting: Literal["on-environment", "on-robot"] = "on-environment"
+    """Whether the force acts on the surroundings, or is theirs on the robot."""
 
 
 class Facts(PageFacts):

@@ -25,9 +25,10 @@ J, Q_DOT, V, OMEGA = symbols("J q_dot v omega")
 
 
 class Options(OptionsModel):
-    """`point`: where; the end-effector if left out."""
+    """Whose velocity is wanted."""
 
     point: PointOn | None = None
+    """The point whose motion counts; that of the end-effector if left out."""
 
 
 class Facts(PageFacts):

@@ -69,11 +69,12 @@ SIZES = {"area": "its-area", "volume": "its-volume"}
 
 
 class Options(OptionsModel):
-    """`kind`: positions that are reached with one orientation at least, or with every one; `point`: whose
-    positions, the end-effector's if left out; `evaluate`: lengths, to draw it."""
+    """Which positions are wanted; `evaluate` gives lengths, to draw them."""
 
     kind: Literal["reachable", "dexterous"] = "reachable"
+    """reachable: positions reached with one orientation at least; dexterous: with every one."""
     point: PointOn | None = None
+    """The point whose positions are wanted; the end-effector if left out."""
     evaluate: Evaluation = None
 
 

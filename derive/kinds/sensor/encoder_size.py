@@ -26,11 +26,12 @@ CLAIMS = ("enough", "as-told")
 
 
 class Options(OptionsModel):
-    """`resolution`: the angle of the link that one count is at most; `range`: the angle through which the
-    link turns, where the turns of the motor are counted."""
+    """What the encoder has to tell apart."""
 
     resolution: Angle | None = None
+    """The angle of the link that one count is at most."""
     range: Angle | None = None
+    """The angle through which the link turns, where the turns of the motor are counted."""
 
     @model_validator(mode="after")
     def _one_at_least(self) -> Self:

@@ -36,10 +36,12 @@ Code = Annotated[str, BeforeValidator(_code)]
 
 
 class Options(OptionsModel):
-    """The `position` that is to be coded, from 0, or the `code` that is read; text in quotes, as "0110"."""
+    """A position, or its code."""
 
     position: Annotated[int, Field(ge=0)] | None = None
+    """The position that is to be coded, from 0."""
     code: Code | None = None
+    """The code that is read, in quotes, as "0110"."""
 
     @model_validator(mode="after")
     def _one_of_them(self) -> Self:

@@ -23,10 +23,12 @@ CLAIMS = ("edge-by-edge|turned-so-far", "as-given")
 
 
 class Options(OptionsModel):
-    """`counts` were counted within `period`; they are negative where the disc turns backwards."""
+    """What was counted."""
 
     counts: Formula
+    """How many were counted within the period, negative where the disc turns backwards."""
     period: Time
+    """How long was counted."""
 
     @field_validator("counts")
     @classmethod

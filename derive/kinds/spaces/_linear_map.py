@@ -25,12 +25,14 @@ from derive.names import named
 
 
 class MapOptions(OptionsModel):
-    """`rows`: the velocities of an arm that are wanted, at `point`; or a `task`, functions of the joint
-    variables; `evaluate`: the configuration."""
+    """Which map of the rates is looked at; `evaluate` gives the configuration."""
 
     rows: tuple[RowName, ...] = ()
+    """The velocities of an arm that are wanted."""
     point: PointOn | None = None
+    """The point whose motion counts; that of the end-effector if left out."""
     task: tuple[Quantity, ...] = ()
+    """Functions of the joint variables, in place of rows."""
     evaluate: Evaluation = None
 
 

@@ -59,11 +59,12 @@ SPACES = ("null_space", "range", "left_null_space")
 
 
 class Options(MapOptions):
-    """`rows` at `point`, or a `task`; `evaluate`: the configuration; `velocity`: one component for each row,
-    to be judged; `wrench`: the same of a force."""
+    """The map, and what is to be judged of it; `evaluate` gives the configuration."""
 
     velocity: tuple[Quantity, ...] | None = Field(None, min_length=1, max_length=12)
+    """A velocity to be judged, one component for each row."""
     wrench: tuple[Quantity, ...] | None = Field(None, min_length=1, max_length=12)
+    """A force to be judged, one component for each row."""
 
 
 class Facts(PageFacts):

@@ -44,9 +44,11 @@ SUBJECTS = ("system", "motor")
 
 
 class Options(OptionsModel):
-    """`controller`: P, PI, PD or PID with its gains; a gain without a value stays symbolic."""
+    """The loop that is closed."""
 
     controller: ControllerField
+    """P, PI, PD or PID with its gains, as {PID: {K_p: 20, K_i: 5, K_d: 10}}; a gain without a value stays a
+    letter."""
     evaluate: Evaluation = None
 
 

@@ -49,9 +49,10 @@ MOTORS = ("armature", "field")
 
 
 class Options(OptionsModel):
-    """`from`: the disturbance, for its transfer function instead of the input's."""
+    """Which signal drives."""
 
     source: Name | None = Field(None, alias="from")
+    """The disturbance, for its transfer function instead of that of the input."""
     evaluate: Evaluation = None
 
 

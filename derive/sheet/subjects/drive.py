@@ -32,21 +32,28 @@ Teeth: TypeAlias = tuple[Formula, Formula]
 
 
 class GivenStage(OptionsModel):
-    """Two wheels, that of the driving shaft first: gears by `teeth`, `radii` or `diameters` (`internal`: the
-    second is a ring), pulleys of a `belt` by their radii (or `crossed`); `harmonic`: the teeth of the
-    flexspline and of the circular spline, which is held; `planetary`: those of the sun and of the ring, which
-    is held; or the `ratio` alone. `inertia` is that of the shaft behind the stage."""
+    """Two wheels, that of the driving shaft first, in one of these ways."""
 
     teeth: Teeth | None = None
+    """Gears by their numbers of teeth."""
     radii: Lengths | None = None
+    """Gears by their radii."""
     diameters: Lengths | None = None
+    """Gears by their diameters."""
     belt: Lengths | None = None
+    """Pulleys of a belt by their radii."""
     harmonic: Teeth | None = None
+    """The teeth of the flexspline and of the circular spline, which is held."""
     planetary: Teeth | None = None
+    """The teeth of the sun and of the ring, which is held."""
     ratio: Formula | None = None
+    """The ratio of the stage alone."""
     internal: bool = False
+    """Whether the second gear is a ring."""
     crossed: bool = False
+    """Whether the belt is crossed."""
     inertia: InertiaMoment | None = None
+    """The moment of inertia of the shaft behind the stage."""
 
     @property
     def forms(self) -> tuple[str, ...]:
@@ -55,15 +62,20 @@ class GivenStage(OptionsModel):
 
 
 class Given(OptionsModel):
-    """The inertias of the rotor and of the load, each about its own axis, and the gear between them: by its
-    ratio, or by its stages, the first of them at the motor."""
+    """A motor, a load, and the gear between them: by its ratio, or by its stages."""
 
     rotor: InertiaMoment | None = None
+    """The moment of inertia of the rotor about its own axis."""
     load: InertiaMoment | None = None
+    """The moment of inertia of the load about its own axis."""
     gear: Formula | None = None
+    """The ratio of the gear."""
     stages: Annotated[list[GivenStage], Field(min_length=1, max_length=12)] | None = None
+    """The stages of the gear, the first of them at the motor."""
     torque: Torque | None = None
+    """The torque of the motor."""
     load_torque: Torque | None = None
+    """The torque that the load needs."""
 
 
 def build(given: Given, at: At, known: Known) -> Drive:

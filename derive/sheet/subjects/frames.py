@@ -21,28 +21,36 @@ HARMLESS = frozenset({"frame", "in", "origin"})
 
 class _Parent(OptionsModel):
     frame: int | None = Field(default=None, ge=1)
+    """The number of a frame that is given once more, as seen from another one."""
     parent: int | None = Field(default=None, alias="in", ge=0)
+    """The frame in which this one is given; the one before it if left out."""
 
 
 class ObservedFrame(_Parent):
-    """Axes in terms of those of the parent, as `x: 0.6*x2 - 0.8*y2`."""
+    """A frame by its axes, in terms of those of the parent, as `x: 0.6*x2 - 0.8*y2`."""
 
     x: Formula
+    """The x-axis of the frame, in the axes of its parent."""
     y: Formula
+    """The y-axis of the frame, in the axes of its parent."""
     z: Formula
+    """The z-axis of the frame, in the axes of its parent."""
     origin: Point = (ZERO, ZERO, ZERO)
+    """The origin of the frame in its parent."""
 
 
 class MatrixFrame(_Parent):
-    """A homogeneous transform or a rotation matrix."""
+    """A frame by a homogeneous transform or a rotation matrix."""
 
     matrix: Annotated[list[list[Quantity]], Field(max_length=20)]
+    """The rows of the matrix."""
 
 
 class MotionFrame(_Parent):
-    """Where a motion of the parent's axes brings the frame."""
+    """A frame by the motion that brings the axes of its parent there."""
 
     motion: Annotated[list[MoveField], Field(min_length=1, max_length=50)]
+    """The moves in the order in which they are made."""
 
 
 def _form(value: Any) -> str:

@@ -29,14 +29,17 @@ Equations: TypeAlias = Annotated[list[EquationField], Field(min_length=1, max_le
 
 
 class Given(OptionsModel):
-    """The variables, the value (a list for a vector function), and equations the variables obey."""
+    """A function, and what its variables obey."""
 
     variables: Annotated[list[Name], Field(min_length=1, max_length=MOST)]
+    """The names of the variables."""
     value: Annotated[Annotated[Formulas, Tag("=several")] | Annotated[Formula, Tag("=one")], _BY_FORM]
+    """What the function is; a list for a vector function."""
     subject_to: (
         Annotated[Annotated[Equations, Tag("=several")] | Annotated[EquationField, Tag("=one")], _BY_FORM]
         | None
     ) = None
+    """An equation, or several, that the variables obey."""
 
 
 def build(given: Given, at: At, known: Known) -> Function:

@@ -40,9 +40,13 @@ class GivenBody(OptionsModel):
     """A mass at a position; with a moment of inertia, the angle it turns by."""
 
     mass: Mass
+    """The mass."""
     position: Annotated[list[Length], Field(min_length=2, max_length=3)]
+    """Where its centre is, in the coordinates."""
     inertia: InertiaMoment | None = None
+    """The moment of inertia about its centre."""
     angle: Angle | None = None
+    """The angle by which it turns, in the coordinates."""
 
 
 def _form(value: Any) -> str:
@@ -54,21 +58,30 @@ ByCoordinate: TypeAlias = dict[Name, Quantity]
 
 
 class Given(OptionsModel):
-    """Rates are written `x_dot`. `forces` and `damping` (viscous, b x_dot) are by coordinate."""
+    """Coordinates with bodies or energies. Rates are written `x_dot`."""
 
     coordinates: Annotated[list[Name], Field(min_length=1, max_length=MOST)]
+    """The generalised coordinates."""
     bodies: Annotated[list[GivenBody], Field(max_length=MOST, default_factory=list)]
+    """The bodies, whose energies are found."""
     kinetic: Formula = ZERO
+    """The kinetic energy that is not that of the bodies."""
     potential: Formula = ZERO
+    """The potential energy that is not that of the bodies, as of springs."""
     gravity: Annotated[list[Quantity], Field(min_length=2, max_length=3)] | None = None
+    """The acceleration of gravity, in the axes of the positions."""
     forces: Annotated[ByCoordinate, Field(default_factory=dict)]
+    """The generalised forces, by coordinate."""
     damping: Annotated[ByCoordinate, Field(default_factory=dict)]
+    """The viscous damping (b in b x_dot), by coordinate."""
     dissipation: Formula = ZERO
+    """Rayleigh's function, of the rates."""
     constraints: Annotated[
         Annotated[Equations, Tag("=several")] | Annotated[EquationField, Tag("=one")],
         Discriminator(_form),
         Field(default_factory=list),
     ]
+    """An equation, or several, that the coordinates obey."""
 
 
 def build(given: Given, at: At, known: Known) -> LagrangianSystem:

@@ -32,33 +32,41 @@ class BoxShape(OptionsModel):
     """Sides along x, y, z."""
 
     box: tuple[Length, Length, Length]
+    """The sides along x, y and z."""
 
 
 class RodShape(OptionsModel):
     """A thin rod along an axis."""
 
     rod: Length
+    """The length."""
     axis: Named
+    """The axis along which it lies."""
 
 
 class RoundSection(OptionsModel):
     """Radius and length."""
 
     radius: Length
+    """The radius."""
     length: Length
+    """The length."""
 
 
 class CylinderShape(OptionsModel):
     """A cylinder about an axis."""
 
     cylinder: RoundSection
+    """Its radius and length."""
     axis: Named
+    """The axis about which it is round."""
 
 
 class SphereShape(OptionsModel):
     """A solid sphere."""
 
     sphere: Length
+    """The radius."""
 
 
 def _inertia_form(value: Any) -> str | None:
@@ -108,48 +116,68 @@ class MotorField(OptionsModel):
     """A rotor's inertia about its axis, and how many times as fast as the joint it turns."""
 
     inertia: InertiaMoment
+    """The moment of inertia of the rotor about its axis."""
     ratio: Quantity = ONE
+    """How many times as fast as the joint the rotor turns."""
 
 
 class FrictionField(OptionsModel):
     """Friction in a joint: viscous * rate + coulomb * sign(rate)."""
 
     viscous: Quantity = ZERO
+    """What the rate is multiplied with."""
     coulomb: Quantity = ZERO
+    """What acts against the motion whatever the rate."""
 
 
 class Carried(OptionsModel):
     """The body of a link, in the link's own frame; what its joint adds, and the limits of it, its `range`."""
 
     mass: Mass | None = None
+    """The mass of the link."""
     com: ComField | None = None
+    """Its centre of mass in the link's own frame; center is the middle between the origins of this frame and
+    the one before."""
     inertia: InertiaField | None = None
+    """About the centre of mass: [Ixx, Iyy, Izz], these with Ixy, Iyz, Ixz (entries of the matrix, signs
+    included), the matrix, a shape of the same density, or point."""
     about: Literal["com", "origin"] = "com"
+    """About which point the inertia is given."""
     motor: MotorField | None = None
+    """The rotor that drives the joint."""
     friction: FrictionField | None = None
+    """The friction in the joint."""
     range: tuple[Quantity, Quantity] | None = None
+    """The limits of the joint, as [-90 deg, 90 deg]."""
 
 
 class DHLink(Carried):
     """A Denavit-Hartenberg row."""
 
     theta: StarredAngle
+    """The angle about z; with a star, the variable of a revolute joint, as theta1* or theta1* + 90 deg."""
     d: StarredLength
+    """The distance along z; with a star, the variable of a prismatic joint, as d3*."""
     a: Length
+    """The distance along x, the length of the link."""
     alpha: Angle
+    """The angle about x, the twist of the link."""
 
 
 class FreeLink(Carried):
     """A row that follows no convention: moves about current axes."""
 
     motion: Annotated[list[MoveJointField], Field(min_length=1, max_length=20)]
+    """The moves, of which one has the starred variable of the joint."""
 
 
 class ScrewLink(Carried):
     """A joint by its axis in the base frame while all joints are at zero."""
 
     screw: ScrewField
+    """The axis of the joint."""
     variable: StarredQuantity
+    """The starred variable of the joint, as theta1*."""
 
 
 def _link_form(value: Any) -> str:

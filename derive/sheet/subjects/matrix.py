@@ -20,10 +20,12 @@ Row = Annotated[list[Quantity], Field(min_length=1, max_length=MOST)]
 
 
 class Given(OptionsModel):
-    """The rows of the matrix, and the variables on which it depends, one for each of its columns."""
+    """A matrix that depends on variables."""
 
     value: Annotated[list[Row], Field(min_length=1, max_length=MOST)]
+    """The rows of the matrix."""
     variables: tuple[Name, ...] = Field((), max_length=MOST)
+    """The variables on which it depends, one for each of its columns."""
 
 
 def build(given: Given, at: At, known: Known) -> GivenMatrix:

@@ -54,19 +54,28 @@ AS_WRITTEN = "write {revolute: 4}, four revolute joints, or {constraints: 4, cou
 
 
 class GivenJoints(OptionsModel):
-    """So many joints of one sort; `joining: 3` where three bodies meet in each; `constraints` of any other
-    sort, `count` of them."""
+    """Joints of one sort."""
 
     revolute: Count | None = None
+    """How many revolute joints."""
     prismatic: Count | None = None
+    """How many prismatic joints."""
     helical: Count | None = None
+    """How many helical joints."""
     cylindrical: Count | None = None
+    """How many cylindrical joints."""
     universal: Count | None = None
+    """How many universal joints."""
     spherical: Count | None = None
+    """How many spherical joints."""
     planar: Count | None = None
+    """How many planar joints."""
     constraints: Annotated[int, Field(ge=0, le=6)] | None = None
+    """How many freedoms a joint of any other sort takes away."""
     count: Count = 1
+    """How many joints of that other sort there are."""
     joining: Annotated[int, Field(ge=2, le=100)] = 2
+    """How many bodies meet in each joint."""
 
     @property
     def sorts(self) -> tuple[str, ...]:
@@ -75,74 +84,103 @@ class GivenJoints(OptionsModel):
 
 
 class GivenLegs(OptionsModel):
-    """Legs between the base and the platform: joints by letter from the base, R P H C U S E."""
+    """Legs between the base and the platform."""
 
     chain: Annotated[str, Field(min_length=1, max_length=12)]
+    """The joints of a leg by letter from the base: R P H C U S E."""
     count: Count
+    """How many such legs there are."""
 
 
 class GivenFourBar(OptionsModel):
-    """The lengths of the bars, and the angle of the crank (theta_2)."""
+    """Four bars in a plane."""
 
     crank: Length
+    """The length of the crank."""
     coupler: Length
+    """The length of the coupler."""
     rocker: Length
+    """The length of the rocker."""
     ground: Length
+    """The distance between the pivots."""
     angle: Angle = INPUT
+    """The angle of the crank; the letter theta_2 if left out."""
 
 
 class GivenSliderCrank(OptionsModel):
-    """The lengths of the crank and of the rod, the height at which the slider runs past the pivot of the
-    crank, and the angle of the crank (theta_2)."""
+    """A crank that moves a slider."""
 
     crank: Length
+    """The length of the crank."""
     rod: Length
+    """The length of the rod."""
     offset: Length = ZERO
+    """The height at which the slider runs past the pivot of the crank."""
     angle: Angle = INPUT
+    """The angle of the crank; the letter theta_2 if left out."""
 
 
 class GivenFiveBar(OptionsModel):
-    """The lengths of two cranks, of the couplers on them, and between the pivots of the cranks."""
+    """Two cranks in a plane whose couplers meet."""
 
     cranks: tuple[Length, Length]
+    """The lengths of the two cranks."""
     couplers: tuple[Length, Length]
+    """The lengths of the couplers on them."""
     ground: Length
+    """The distance between the pivots of the cranks."""
 
 
 class GivenDelta(OptionsModel):
-    """The radii on which the pivots of the arms and the joints of the platform lie; arms and forearms."""
+    """Three arms that carry a platform without turning it."""
 
     base: Length
+    """The radius on which the pivots of the arms lie."""
     platform: Length
+    """The radius on which the joints of the platform lie."""
     arm: Length
+    """The length of an arm."""
     forearm: Length
+    """The length of a forearm."""
 
 
 class GivenStewart(OptionsModel):
-    """Where each leg begins on the base and ends on the platform, each in its own frame, in one order."""
+    """Where each leg begins and ends, in one order."""
 
     base: Annotated[list[Point], Field(min_length=3, max_length=8)]
+    """Where the legs begin, in the frame of the base."""
     platform: Annotated[list[Point], Field(min_length=3, max_length=8)]
+    """Where the legs end, in the frame of the platform."""
 
 
 class GivenLinkage(OptionsModel):
     """A linkage by the lengths of its bars."""
 
     four_bar: GivenFourBar | None = Field(None, alias="four-bar")
+    """Four bars in a plane."""
     slider_crank: GivenSliderCrank | None = Field(None, alias="slider-crank")
+    """A crank that moves a slider."""
     five_bar: GivenFiveBar | None = Field(None, alias="five-bar")
+    """Two cranks in a plane whose couplers meet."""
     delta: GivenDelta | None = None
+    """Three arms that carry a platform without turning it."""
     stewart: GivenStewart | None = None
+    """A platform on legs that change their lengths."""
 
 
 class GivenParts(OptionsModel):
-    """`bodies` counts the frame; `rods` are those held by two spherical joints only."""
+    """Bodies and the joints between them, or a platform on legs."""
 
     space: Literal["planar", "spatial", "spherical"]
+    """Where the bodies move: in a plane, in space, or about a point."""
     bodies: Annotated[int, Field(ge=2, le=10_000)] | None = None
+    """How many bodies there are, the frame counted too."""
     joints: Annotated[list[GivenJoints], Field(min_length=1, max_length=50)] | None = None
+    """The joints, sort by sort."""
     legs: Annotated[list[GivenLegs], Field(min_length=1, max_length=20)] | None = None
+    """The legs of a platform, in place of bodies and joints."""
     rods: Annotated[int, Field(ge=0, le=1000)] = 0
+    """How many bodies are rods between two spherical joints, which turn about themselves."""
 
 
 def _form(value: object) -> str:

@@ -12,10 +12,12 @@ from derive.sheet.subjects.registry import Known
 
 
 class Given(OptionsModel):
-    """Which terminals the voltage is applied to, and what is observed."""
+    """A direct-current motor."""
 
     control: Literal["armature", "field"]
+    """Which terminals the voltage is applied to."""
     output: Literal["angle", "speed"]
+    """What is observed."""
 
 
 def build(given: Given, at: At, known: Known) -> System:

@@ -52,20 +52,25 @@ class Rotate(_Along):
     """A rotation about an axis through the origin."""
 
     rotate: AxisField
+    """The axis, by its letter or as [1, 1, 0]."""
     by: Angle
+    """The angle."""
 
 
 class Translate(_Along):
     """A translation along an axis."""
 
     translate: AxisField
+    """The direction, by its letter or as [1, 1, 0]."""
     by: Length
+    """The distance."""
 
 
 class About(OptionsModel):
     """World (fixed) axes, or the current ones."""
 
     about: Literal["world", "current", "fixed"] = "current"
+    """The axes that are meant: those of the world (fixed), or those that were moved before."""
 
 
 class RotateAbout(Rotate, About):
@@ -80,6 +85,7 @@ class Quaternion(OptionsModel):
     """A turn given by a quaternion, scalar part first."""
 
     quaternion: tuple[Formula, Formula, Formula, Formula]
+    """The quaternion, its scalar part first."""
 
     @field_validator("quaternion")
     @classmethod
@@ -102,14 +108,18 @@ class RotateJoint(_Along):
     """A rotation that may be a joint's."""
 
     rotate: AxisField
+    """The axis, by its letter or as [1, 1, 0]."""
     by: StarredAngle
+    """The angle; with a star, the variable of a revolute joint."""
 
 
 class TranslateJoint(_Along):
     """A translation that may be a joint's."""
 
     translate: AxisField
+    """The direction, by its letter or as [1, 1, 0]."""
     by: StarredLength
+    """The distance; with a star, the variable of a prismatic joint."""
 
 
 MoveField: TypeAlias = Annotated[

@@ -42,82 +42,106 @@ class GivenLine(OptionsModel):
     """Straight from one point to another."""
 
     start: Point = Field(alias="from")
+    """Where the line begins."""
     end: Point = Field(alias="to")
+    """Where it ends."""
 
 
 class GivenCircle(OptionsModel):
-    """An arc about `axis` (z if left out; none in the plane), by `angle` (a full turn if left out), from the
-    point `start`, or where that is no point of the circle from the direction `start` (that of x, or of the
-    next axis, if left out)."""
+    """An arc of a circle."""
 
     center: Point
+    """The centre of the circle."""
     radius: Length | None = None
+    """The radius, where the start does not tell it."""
     axis: AxisField | None = None
+    """The axis about which it turns; z if left out, none in the plane."""
     start: Point | None = None
+    """The point where it starts, or the direction of that from the centre; that of x, or of the next axis, if
+    left out."""
     angle: Angle = TURN
+    """The angle by which it turns; a full turn if left out."""
 
 
 class GivenHelix(OptionsModel):
-    """A circle that moves along its axis by `pitch` a turn, `turns` times."""
+    """A circle that moves along its axis."""
 
     center: tuple[Length, Length, Length] = (ZERO, ZERO, ZERO)
+    """A point of the axis."""
     radius: Length | None = None
+    """The radius, where the start does not tell it."""
     axis: AxisField = "z"
+    """The direction of the axis."""
     start: tuple[Length, Length, Length] | None = None
+    """The point where it starts, or the direction of that from the axis."""
     pitch: Length
+    """How far it moves along the axis in a turn."""
     turns: Formula = ONE
+    """How many turns it makes."""
 
 
 class GivenTiming(OptionsModel):
-    """From rest to rest: a `cubic` or `quintic` law in a `time`, or a `trapezoidal` velocity by two of
-    `time`, `v_max` and `a_max` along the path (of a function: of its parameter)."""
+    """From rest to rest: a cubic or quintic law in a time, or a trapezoidal velocity by two of time, v_max
+    and a_max."""
 
     law: Literal["cubic", "quintic", "trapezoidal"]
+    """How the way along the path depends on time."""
     time: Time | None = None
+    """How long it takes."""
     v_max: Quantity | None = None
+    """The greatest velocity along the path (of a function: of its parameter)."""
     a_max: Quantity | None = None
+    """The greatest acceleration along the path (of a function: of its parameter)."""
 
 
 class Timed(OptionsModel):
     """How the point moves along the path, if that is asked too."""
 
     timing: GivenTiming | None = None
+    """How the point moves along the path, if that is asked too."""
 
 
 class OfLine(Timed):
     """A line."""
 
     line: GivenLine
+    """Straight from one point to another."""
 
 
 class OfCircle(Timed):
     """An arc of a circle."""
 
     circle: GivenCircle
+    """An arc of a circle."""
 
 
 class OfHelix(Timed):
     """A helix."""
 
     helix: GivenHelix
+    """A circle that moves along its axis."""
 
 
 class OfFunction(Timed):
-    """Two or three coordinates as functions of a parameter, `s` if left out, and its `range`, needed for the
-    length."""
+    """Coordinates as functions of a parameter."""
 
     function: Annotated[list[Quantity], Field(min_length=2, max_length=3)]
+    """Two or three coordinates."""
     parameter: Name = "s"
+    """The name of the parameter; t where it is the time."""
     range: tuple[Quantity, Quantity] | None = None
+    """The first and the last value of the parameter, needed for the length."""
 
 
 class OfVia(OptionsModel):
-    """Points that are passed at `times`, by a cubic spline of each coordinate; its `ends` are at rest, or
-    `natural`, without acceleration."""
+    """Points that are passed at times, by a cubic spline of each coordinate."""
 
     via: Annotated[list[Point], Field(min_length=3, max_length=12)]
+    """The points."""
     times: Annotated[list[Time], Field(max_length=12)]
+    """When each is passed."""
     ends: Literal["clamped", "natural"] = "clamped"
+    """clamped: at rest; natural: without acceleration."""
 
 
 def _form(value: Any) -> str | None:

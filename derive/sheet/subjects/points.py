@@ -18,10 +18,12 @@ PointList: TypeAlias = Annotated[list[Coordinates], Field(min_length=1, max_leng
 
 
 class Given(OptionsModel):
-    """The points in frame A (`from`) and, in the same order, in frame B (`to`)."""
+    """Points in two frames."""
 
     source: PointList = Field(alias="from")
+    """The points in frame A."""
     target: PointList = Field(alias="to")
+    """The same points in frame B, in the same order."""
 
 
 def build(given: Given, at: At, known: Known) -> PointPairs:

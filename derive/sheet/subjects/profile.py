@@ -86,50 +86,75 @@ class GivenAxis(OptionsModel):
     """One axis and its limits."""
 
     distance: Stretch
+    """How far it goes."""
     v_max: Rate
+    """The greatest velocity."""
     a_max: Push
+    """The greatest acceleration."""
 
 
 class GivenOne(OptionsModel):
-    """One axis, and the time it is to take, if that is given; then its acceleration may have no limit."""
+    """One axis, from rest to rest."""
 
     distance: Stretch
+    """How far it goes."""
     v_max: Rate
+    """The greatest velocity."""
     a_max: Push | None = None
+    """The greatest acceleration; it may have no limit where the time is given."""
     time: Time | None = None
+    """How long it is to take."""
 
 
 class GivenAxes(OptionsModel):
     """Several axes that are to arrive together."""
 
     axes: Annotated[list[GivenAxis], Field(min_length=1, max_length=12)]
+    """The axes, each with its distance and limits."""
     time: Time | None = None
+    """How long all are to take."""
 
 
 class GivenVia(OptionsModel):
     """A place passed on the way, at a time counted from the start."""
 
     time: Time
+    """When it is passed, counted from the start."""
     place: Stretch = Field(alias="at")
+    """Where."""
     velocity: Rate | None = None
+    """How fast."""
 
 
 class GivenJourney(OptionsModel):
     """From one value to another, with what is prescribed on the way and the limits to be kept."""
 
     start: Stretch = Field(alias="from")
+    """Where it starts."""
     end: Stretch = Field(alias="to")
+    """Where it ends."""
     time: Time | None = None
+    """How long it takes."""
     start_velocity: Rate | None = None
+    """The velocity at the start; zero if left out."""
     end_velocity: Rate | None = None
+    """The velocity at the end; zero if left out."""
     start_acceleration: Push | None = None
+    """The acceleration at the start; zero if left out."""
     end_acceleration: Push | None = None
+    """The acceleration at the end; zero if left out."""
     via: Annotated[list[GivenVia], Field(max_length=12)] = Field(default=[])
+    """The places passed on the way."""
     cruise: Rate | None = None
+    """The constant velocity between the blends."""
     acceleration: Push | None = None
+    """The acceleration within the blends."""
     blend: Time | None = None
+    """How long a blend takes."""
     v_max: Rate | None = None
+    """The greatest velocity that is allowed."""
     a_max: Push | None = None
+    """The greatest acceleration that is allowed."""
 
 
 def _form(value: Any) -> str | None:

@@ -42,15 +42,22 @@ NO_JOINT = "a star marks the joint variable: write {name}*"
 
 
 class Given(OptionsModel):
-    """The rows of a robot, and what stands before and after them."""
+    """An open chain: its links, and what stands before and after them."""
 
     name: str = ""
+    """What the robot is called."""
     convention: Literal["standard", "modified"] = "standard"
+    """Where frames stand on the links: standard (Spong, Siciliano) or modified (Craig, Khatib)."""
     links: Annotated[list[LinkField], Field(min_length=1, max_length=30)]
+    """A row for each link, with its body where dynamics is asked."""
     base: Annotated[tuple[MoveField, ...], Field(max_length=20)] = ()
+    """A fixed motion before the first row."""
     tool: Annotated[tuple[MoveField, ...], Field(max_length=20)] = ()
+    """A fixed motion after the last row."""
     gravity: tuple[Acceleration, Acceleration, Acceleration] | None = None
+    """The acceleration of gravity in the base frame, as [0, 0, -g]."""
     home: HomeField | None = None
+    """The pose of the end-effector while all joints are at zero, of a robot given by screws."""
 
 
 def build(given: Given, at: At, known: Known) -> Robot:

@@ -17,10 +17,11 @@ Row = Annotated[list[Quantity], Field(min_length=3, max_length=3)]
 
 
 class Given(OptionsModel):
-    """The rows of the matrix, in numbers or formulas (of the time `t` where it turns); nine names, as r11,
-    stand for any rotation."""
+    """A rotation by its matrix."""
 
     matrix: Annotated[list[Row], Field(min_length=3, max_length=3)]
+    """The rows of the matrix, in numbers or formulas (of the time t where it turns); nine names, as r11,
+    stand for any rotation."""
 
 
 def build(given: Given, at: At, known: Known) -> GivenRotation:

@@ -41,18 +41,23 @@ class _Directed(OptionsModel):
 
 
 class Turn(_Directed):
-    """A turn about an axis through a point of the base frame; with a pitch (m/rad) a helix."""
+    """A turn about an axis in the base frame; with a pitch a helix."""
 
     axis: AxisField
+    """The direction of the axis, in the base frame while all joints are at zero."""
     through: Point = ORIGIN
+    """A point of the axis."""
     pitch: Length = ZERO
+    """How far it moves along the axis in a radian."""
 
 
 class Slide(_Directed):
-    """A slide along a direction of the base frame; `through` is where its axis is drawn."""
+    """A slide along a direction of the base frame."""
 
     slide: AxisField
+    """The direction, in the base frame while all joints are at zero."""
     through: Point = ORIGIN
+    """Where its axis is drawn."""
 
 
 def _screw_form(value: Any) -> str | None:

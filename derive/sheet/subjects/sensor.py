@@ -46,31 +46,44 @@ Share: TypeAlias = Annotated[
 
 
 class GivenIncremental(OptionsModel):
-    """Lines a turn (left out where they are asked), and how many edges of each are counted."""
+    """An encoder that counts lines."""
 
     encoder: Literal["incremental"]
+    """The sort of encoder."""
     lines: Formula | None = None
+    """The lines a turn, left out where they are asked."""
     edges: Formula = ONE
+    """How many edges of each line are counted."""
     gear: Formula | None = None
+    """How many times as fast as the link the encoder turns."""
 
 
 class GivenAbsolute(OptionsModel):
-    """Bits a turn (left out where they are asked); of an encoder of several turns `turn_bits` count these."""
+    """An encoder that knows its angle."""
 
     encoder: Literal["absolute"]
+    """The sort of encoder."""
     bits: Formula | None = None
+    """The bits a turn, left out where they are asked."""
     turn_bits: Formula | None = None
+    """The bits that count turns."""
     gear: Formula | None = None
+    """How many times as fast as the link the encoder turns."""
 
 
 class GivenPwm(OptionsModel):
-    """A voltage for the share `duty` of each period, `low` for the rest of it; or the mean that is wanted."""
+    """A voltage that is switched."""
 
     pwm: Quantity
+    """The voltage while it is on."""
     low: Quantity = ZERO
+    """The voltage for the rest of the period."""
     duty: Share | None = None
+    """The share of the period for which it is on."""
     mean: Quantity | None = None
+    """The mean that is wanted, in place of the share."""
     frequency: Quantity | None = None
+    """How many periods there are in a second."""
 
 
 def _form(value: Any) -> str | None:

@@ -24,21 +24,27 @@ HARMLESS = frozenset({"disturbance", "delay", "units"})
 
 
 class Approximation(OptionsModel):
-    """`pade`: the order of the fraction that takes the place of a delay e^(-T s)."""
+    """What takes the place of a delay e^(-T s)."""
 
     pade: Annotated[int, Field(ge=1, le=6)]
+    """The order of the fraction of Padé that takes its place."""
 
 
 class Given(OptionsModel):
-    """The equations, and which of their signals drives, is observed, disturbs; `delay` says what takes the
-    place of a delay, and `units` in which SI unit a signal is, as `{x: m, f: N}`."""
+    """Linear equations in the Laplace domain, and their signals."""
 
     equations: Annotated[list[EquationField], Field(min_length=1, max_length=100)]
+    """The equations, in s."""
     input: Name
+    """The signal that drives the system."""
     output: Name
+    """The signal that is observed."""
     disturbance: Name | None = None
+    """A signal that disturbs, zero in the transfer function."""
     delay: Approximation | None = None
+    """What takes the place of a delay."""
     units: dict[Name, str] = Field(default_factory=dict)
+    """In which SI unit a signal is, as {x: m, f: N}."""
 
 
 def build(given: Given, at: At, known: Known) -> System:

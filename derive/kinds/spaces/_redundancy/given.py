@@ -39,20 +39,23 @@ NEEDS = {
 
 
 class Second(OptionsModel):
-    """A second task: `rows` of the Jacobian of an arm, or functions (`task`); of a matrix that is given a
-    `matrix` of its own. `rate`: what is wanted of each row, zero if left out."""
+    """A second task, done as well as the first one allows."""
 
     rows: tuple[RowName, ...] = ()
+    """Rows of the Jacobian of an arm."""
     point: PointOn | None = None
+    """The point whose motion counts; that of the end-effector if left out."""
     task: tuple[Quantity, ...] = ()
+    """Functions of the joint variables, in place of rows."""
     matrix: tuple[tuple[Quantity, ...], ...] = Field((), max_length=MOST)
+    """The matrix of the second task, where the first one is given as such."""
     rate: tuple[Quantity, ...] = Field((), max_length=MOST)
+    """What is wanted of each row; zero if left out."""
 
 
 class Options(MapOptions):
-    """`rows` at `point`, or a `task`; `velocity`: the wanted one, an entry for each row; `method`: by which
-    rates are chosen, with its `weights` (one a joint), `damping`, `gradient` (an entry a joint, or the
-    function whose gradient it is), `second` task or `limits` (one a joint); `evaluate`: the configuration."""
+    """The task, and by which rule the rates are chosen among all that do it; `evaluate` gives the
+    configuration."""
 
     ONLY_WITH: ClassVar = {
         "weights": ("method", "weighted"),
@@ -62,12 +65,19 @@ class Options(MapOptions):
     }
 
     velocity: tuple[Quantity, ...] | None = Field(None, min_length=1, max_length=MOST)
+    """The velocity that is wanted, an entry for each row; letters if left out."""
     method: Method = "least-norm"
+    """By which rule the rates are chosen."""
     weights: tuple[Quantity, ...] | None = Field(None, min_length=1, max_length=MOST)
+    """Of the method weighted: one for each joint."""
     damping: Quantity | None = None
+    """Of the method damped: the factor that is squared before it stands beside J J^T."""
     gradient: tuple[Quantity, ...] | Quantity | None = None
+    """Of the method null-space: an entry for each joint, or the function whose gradient it is."""
     second: Second | None = None
+    """The second task of the methods task-priority and extended."""
     limits: tuple[Quantity, ...] | None = Field(None, min_length=1, max_length=MOST)
+    """Of the method within-limits: the greatest rate of each joint."""
     evaluate: Evaluation = None
 
 
