@@ -15,7 +15,7 @@ from derive.render.notation import Notation
 from derive.render.width import RELATION, width
 
 HOUSE = Notation()
-LINE = 40.5  # em: the text width of the pages, 160 mm at 11 pt
+LINE = 40.8  # em: the text width of the pages, 160 mm at 11 pt
 FRAMED = LINE - 2.4 - 3.2  # in a frame that has a number beside it
 GAP = 2.0  # em between equations side by side
 INDENT, HANGING = r"&\quad ", 1.0  # of a sum that goes on in the next line, and its width in em

@@ -13,14 +13,14 @@ TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[^\s]")
 SCRIPT_SCALE = 0.76
 INNER_FRACTION_SCALE = 0.72
 RELATION = 1.34
-BRACKETS = 0.95
+BRACKETS = 1.25
 COLUMN_GAP = 1.0
 ROOT = 0.85
 
 COMMANDS = {
     r"\cos": 1.66, r"\sin": 1.56, r"\tan": 1.7, r"\arccos": 2.7, r"\arcsin": 2.6, r"\arctan": 2.75,
     r"\ln": 1.0, r"\det": 1.5, r"\times": 1.22, r"\cdot": 0.72, r"\approx": RELATION, r"\quad": 1.0,
-    r"\qquad": 2.0, r"\left": 0.1, r"\right": 0.1, r"\lvert": 0.28, r"\rvert": 0.28, r"\circ": 0.5,
+    r"\qquad": 2.0, r"\left": 0.2, r"\right": 0.2, r"\lvert": 0.28, r"\rvert": 0.28, r"\circ": 0.5,
     r"\Rightarrow": 1.6, r"\infty": 1.0, r"\omega": 0.62, r"\pm": 1.22, r"\,": 0.17,
 }  # fmt: skip
 CHARACTERS = {

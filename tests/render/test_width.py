@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from derive.render.width import width
+from derive.render.width import BRACKETS, COLUMN_GAP, width
 
 # In em, as pdflatex measures a box of it in `\displaystyle` Latin Modern (`\showthe\wd0`).
 MEASURED = [
@@ -17,6 +17,8 @@ MEASURED = [
     (r"\sqrt{a_1^2 + a_2^2}", 4.18),
     (r"c_1 (c_2 (c_4 c_5 c_6 - s_4 s_6) - c_6 s_2 s_5) - s_1 (c_4 s_6 + c_5 c_6 s_4)", 21.58),
     (r"\begin{bmatrix} a_1 c_1 + a_2 c_{12} & -a_2 s_{12} \\ 0 & \frac{m}{2} \end{bmatrix}", 10.46),
+    (r"z_0 = \begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}", 3.95),
+    (r"\left( a_2 + \sqrt{a_3^2 + d_4^2} \right) s_2", 8.65),
     (r"\frac{\partial d_{11}}{\partial \theta_1} = -0.35", 6.08),
 ]
 
@@ -28,4 +30,4 @@ def test_widths_are_close_to_tex(latex: str, measured: float) -> None:
 
 def test_a_matrix_is_as_wide_as_its_widest_entries() -> None:
     wide = width(r"\begin{bmatrix} a & b \\ a + b + c + d & b \end{bmatrix}")
-    assert wide == pytest.approx(width("a + b + c + d") + width("b") + 1.95)
+    assert wide == pytest.approx(width("a + b + c + d") + width("b") + BRACKETS + COLUMN_GAP)
