@@ -214,7 +214,8 @@ def _names_entries(naming: Naming, notation: Notation) -> bool:
 def _place(name: Expr, last: int) -> tuple[int, int]:
     """The row and the column that a name says, from 1; of a column the row alone; 0, 0 for one that says
     none."""
-    index = name.name.rpartition("_")[2] if isinstance(name, Symbol) else ""
+    said = name.name.removesuffix("_dot").removesuffix("_ddot") if isinstance(name, Symbol) else ""
+    index = said.rpartition("_")[2]
     if index in AXES:
         return AXES.index(index) + 1, last
     row, comma, column = index.partition(",")

@@ -21,6 +21,7 @@ NUMERALS = re.compile(
     re.IGNORECASE,
 )
 SAID = {  # words of the language for which pages say others
+    "inverse": "inverse|integrat", "velocity": "velocit|rates",
     "center": "half way", "current": "current|own", "fixed": "world", "origin": "origin|joint",
     "angle": r"angle|\\theta|θ", "planar": "plan", "spatial": "spa", "spherical": "spher", "rows": "row",
     "svd": "singular value", "tool": "tool|own frame|end-effector", "positive": "positive|> 0",
@@ -42,7 +43,7 @@ class Text:
     def __init__(self, text: str) -> None:
         self.text = text
         self.dense = re.sub(r"[\s{}]|\\[,;:!]|\\mathrm|\\text", "", text)
-        self.letters = re.sub(r"\\[A-Za-z]+|[\s{}]", "", " ".join(re.findall(r"\$([^$]+)\$", text)))
+        self.letters = re.sub(r"\\[A-Za-z]+|[\s{}]", "", "|".join(re.findall(r"\$([^$]+)\$", text)))
         plain = re.sub(r"_\{[^{}]*\}|_\w", "", text)
         self.numbers = {Fraction(each) for each in re.findall(r"\d+(?:\.\d+)?", plain)}
         self.numbers |= {Fraction((found.lastindex or 1) - 1) for found in NUMERALS.finditer(text)}

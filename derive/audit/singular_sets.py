@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from itertools import pairwise
 from typing import Any, TypeAlias
@@ -15,6 +16,7 @@ from derive.audit.linear import Rows, det, product, transposed
 from derive.audit.points import Irrational, Number, Point, floating, shown
 from derive.audit.text import Json
 
+APART = re.compile(", | and ")
 SEARCHES = 4  # lines on which zeros of det J are sought
 ZERO = mpmath.mpf(10) ** -20
 Jacobian: TypeAlias = Callable[[Point], Rows]
@@ -35,6 +37,11 @@ def singular_sets(asked: Asked, point: Point, J: Jacobian) -> Iterator[Test]:
         raise Irrational
     sets = asked.objects("solutions")
     for k, each in enumerate(sets, 1):
+        if asked.subject_name == "matrix":
+            told = {f"{equation} = 0" for equation in each["equations"]}
+            yield Holds(
+                "solutions", {*APART.split(each["when"])} == told, f"set {k} is said to be another one"
+            )
         yield _ranked(asked, each, f"set {k}", point, J)
     if not sets and asked.results.get("complete"):
         yield Holds("solutions", True, "")

@@ -60,7 +60,8 @@ def _of_letters(matrix: Matrix, printer: Printer, given: Names) -> Names:
 def _of_entries(name: Expr, matrix: Matrix, printer: Printer) -> Names:
     """The long entries, equal ones alike; some rows of a Jacobian keep the numbers that they have in the
     whole one."""
-    stem, _, index = _base(name).partition("^")[0].partition("_")
+    whole, rate = _rate_apart(_base(name).partition("^")[0])
+    stem, _, index = whole.partition("_")
     letter = stem.lower() if stem.lower() in GREEK else stem[:1].lower()
     letter = f"{letter}_{index}" if index else letter
     names: dict[tuple[int, int], Symbol] = {}
@@ -71,8 +72,16 @@ def _of_entries(name: Expr, matrix: Matrix, printer: Printer) -> Names:
         for j, value in enumerate(row):
             if width(printer.write(value)) >= LONG:
                 place = (number,) if len(matrix.rows) in VECTOR and len(row) == 1 else (number, j + 1)
-                names[i, j] = known.setdefault(value, entry_symbol(letter, *place))
+                names[i, j] = known.setdefault(value, Symbol(entry_symbol(letter, *place).name + rate))
     return names
+
+
+def _rate_apart(name: str) -> tuple[str, str]:
+    """J and _dot of J_dot: its entries are j_11_dot."""
+    for rate in ("_ddot", "_dot"):
+        if name.endswith(rate):
+            return name.removesuffix(rate), rate
+    return name, ""
 
 
 def _base(name: Expr) -> str:

@@ -89,6 +89,10 @@ def test_no_leaf_is_turned_unseen(module: str, tmp_path: Path) -> None:
     told = {"results": answer.results, "evaluated": answer.evaluated}
     every = list(leaves({name: dict(part) for name, part in told.items()}))
     random.seed(1)
+    if (
+        "mechanism" in module
+    ):  # how a linkage looks is said in words; kinds hold these, the audit reads formulas
+        every = [(path, value) for path, value in every if path[-1] != "when"]
     for path, value in random.sample(every, min(MOST, len(every))):
         outcome = audit(with_leaf(answer, path))
         assert not isinstance(outcome, Audited), (path, value, turned(value))

@@ -27,6 +27,9 @@ def said(held: Held, told: Facts, steps: Sequence[Step], results: Mapping[str, E
     yield (told.input, told.output, told.motor) == (system.input, system.output, system.motor)
     yield "D" in told.family.key if told.derivative else True
     yield told.tracks in (None, Phrase("tracks", {"origin": Relation(Symbol("s"), "=", ZERO)}))
+    if told.at is not None and told.at.verdict is not None and controller is not None:
+        one = len(controller.gains) == 1
+        yield told.at.verdict.about == {"gains": Phrase("this-gain" if one else "these-gains")}
     through = free_symbols(told.through)
     yield value(told.through, dict(zip(sorted(through), (2, 3), strict=True))) == 6
     yield all(any(is_named(Symbol(name), each, system) for each in "CG") for name in through)

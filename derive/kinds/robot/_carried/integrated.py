@@ -26,6 +26,7 @@ from derive.mechanics.task import ROWS
 
 Q_0 = Symbol("q_0")
 LISTED = 4  # every which sample is a result
+DECIMALS = 8  # of a sample: what an integration leaves of a zero is none
 FAR, MOVED = 0.02, 1e-6  # of the size of the path
 NEAR, SURE = 1e-3, 1e-6  # of accelerations by differences of differences, of rates and of what they add up to
 H = 1e-4  # of the whole time
@@ -97,7 +98,8 @@ def _listed(found: Sampled, given: Setting, rates: Rates) -> dict[str, Any]:
     """The table of the JSON."""
     some = slice(None, None, LISTED)
     names = zip(("q", "qdot", "qddot"), found.values, strict=True)
-    return {"t": found.times[some].tolist(), **{name: each[some].tolist() for name, each in names}}
+    listed = {name: (each[some].round(DECIMALS) + 0.0).tolist() for name, each in names}
+    return {"t": found.times[some].tolist(), **listed}
 
 
 def _told(numbers: list[Any]) -> Result:
