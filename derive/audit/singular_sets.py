@@ -39,9 +39,8 @@ def singular_sets(asked: Asked, point: Point, J: Jacobian) -> Iterator[Test]:
     for k, each in enumerate(sets, 1):
         if asked.subject_name == "matrix":
             told = {f"{equation} = 0" for equation in each["equations"]}
-            yield Holds(
-                "solutions", {*APART.split(each["when"])} == told, f"set {k} is said to be another one"
-            )
+            said = each["when"].rpartition(": ")[2]  # behind "inside larger sets"
+            yield Holds("solutions", {*APART.split(said)} == told, f"set {k} is said to be another one")
         yield _ranked(asked, each, f"set {k}", point, J)
     if not sets and asked.results.get("complete"):
         yield Holds("solutions", True, "")
