@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from scipy.integrate import dblquad, tplquad
 
+from derive.audit.text import sympy_of_text
 from derive.errors import SheetErrors
 from tests.sheets import pages
 
@@ -43,9 +44,9 @@ def found(links: str, folder: Path, *ranges: str) -> dict[str, Any]:
     results: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))["problems"][0]["questions"][0][
         "results"
     ]
-    known = {"pi": math.pi, "sqrt": math.sqrt, "acos": math.acos, "Max": max}
     return {
-        name: value if name == "description" else float(eval(value, known)) for name, value in results.items()
+        name: value if name == "description" else float(sympy_of_text(value, {}))
+        for name, value in results.items()
     }
 
 

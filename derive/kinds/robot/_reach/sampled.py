@@ -164,6 +164,18 @@ def _lines(steps: Sequence[Step], at: Values, told: Mapping[str, Expr]) -> Itera
             yield close(first, numeric.number(told[step.name], at), SMALL)
 
 
+def _turned_round(shape: Shape, at: Values) -> Iterator[bool]:
+    """The borders of the ring that the last link may start from, by those of all that is reached: they lie by
+    its length within them; a hole that it fills says nothing of them."""
+    link, low, high = (
+        numeric.number(each, at)
+        for each in (shape.link, shape.distance.low or ZERO, shape.distance.high or ZERO)
+    )
+    yield close(numeric.number(shape.far_start, at), high - 2 * link)
+    if low > SMALL:
+        yield close(numeric.number(shape.gap or ZERO, at), low + link)
+
+
 # Whether the arm is folded, and whether it is stretched, where its elbow changes the side.
 PASSED = {
     "borders-stretched": (False, True), "borders-folded": (True, False), "borders-both": (True, True),
@@ -173,6 +185,8 @@ PASSED = {
 def _called(shape: Shape, at: Values) -> Iterator[bool]:
     """Whether there is a hole just where that is said, and the elbow changes its side where it is said to."""
     yield True
+    if shape.gap is not None and shape.distance.high is not None:
+        yield from _turned_round(shape, at)
     if shape.borders is not None and shape.borders.key in PASSED:
         lengths, span = shape.arm.about["lengths"], shape.distance
         assert isinstance(lengths, tuple)
