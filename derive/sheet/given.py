@@ -130,7 +130,7 @@ Evaluate: TypeAlias = Annotated[
 
 
 class GivenAsked(_Model):
-    """What may stand beside `find` whatever the kind, `text` apart."""
+    """The one question of a problem. Options of the kind stand beside these keys."""
 
     find: str
     """What is asked: the kind of question."""

@@ -22,16 +22,22 @@ class _Quiet(GenerateJsonSchema):
 
 
 class _Told(_Quiet):
-    """With what is said of every field, under `said`: its description is that of what may stand there."""
+    """With the first sentence on a model as its title, and what is said of every field under `said`: its
+    description is that of what may stand there."""
 
     def model_schema(self, schema: Any) -> Part:
         found = super().model_schema(schema)
+        found["title"] = _sentence(inspect.getdoc(schema["cls"]) or "")
         said = told(schema["cls"])
         for name, field in schema["cls"].model_fields.items():
             part = found.get("properties", {}).get(field.alias or name)
             if part is not None and name in said:
                 part["said"] = said[name]
         return found
+
+
+def _sentence(text: str) -> str:
+    return " ".join(text.split()).partition(". ")[0].rstrip(".").replace("`", "")
 
 
 def model_schema(adapter: TypeAdapter[Any]) -> Part:

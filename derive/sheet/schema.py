@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import inspect
 import json
+from collections.abc import Iterable
 from functools import cache
 from typing import Any, TypeAlias
 
@@ -46,6 +47,8 @@ def sheet_schema() -> Part:
         definitions[subject] = {**about, "anyOf": [_untitled(definitions[subject]), FILE]}
         definitions[f"{subject}-question"] = _asked(subject)
     definitions |= {name: _open(definitions[name]) for name in ("problem", "asked", "question")}
+    for name in ("asked", "question"):
+        definitions[name]["properties"]["find"].pop("type")  # one of the kinds of the subject
     sheet = definitions.pop("sheet")
     sheet["properties"]["problems"]["items"] = _to("problem")
     definitions["problem"] = _problem(definitions["problem"], definitions)
@@ -62,19 +65,25 @@ def _problem(own: Part, definitions: dict[str, Part]) -> Part:
         forms = [properties[name], *(option[name] for option in options.values() if name in option)]
         said = {"said": properties[name]["said"]}
         properties[name] = {"anyOf": list(map(_unsaid, forms)), **said} if len(forms) > 1 else forms[0]
-    properties |= {subject: _to(subject) for subject in every}
     properties["questions"] = {"type": "array", "minItems": 1, "description": "The questions, in order."}
     return {
         **own,
         "title": "Problem",
         "properties": properties,
         "required": [],
-        "oneOf": [_subject_is(subject) for subject in every],
-        "allOf": [{"if": _subject_is(subject), "then": _about(subject)} for subject in every],
+        "allOf": [_some_subject(every), *({"if": _subject_is(each), "then": _about(each)} for each in every)],
         "if": {"required": ["questions"]},
         "else": _to("asked"),
         "unevaluatedProperties": False,
     }
+
+
+def _some_subject(every: Iterable[str]) -> Part:
+    """Where none is given all are offered, and no form is right; editors print the message."""
+    said = f"A problem has a subject: {', '.join(every)}."
+    given = {"anyOf": [{"required": [subject]} for subject in every]}
+    offered = {subject: _to(subject) for subject in every}
+    return {"if": given, "else": {"type": "null", "errorMessage": said, "properties": offered}}
 
 
 def _subject_is(subject: str) -> Part:
@@ -84,9 +93,12 @@ def _subject_is(subject: str) -> Part:
 
 
 def _about(subject: str) -> Part:
-    """What a subject brings into a problem: questions, or the options of one question beside `find`."""
+    """What a subject brings into a problem: no other subject, and questions, or the options of one beside
+    `find`."""
+    own = [subject, *(option for owner, option in sorted(_described()) if owner == subject)]
+    known: Part = dict.fromkeys(subjects.subjects(), False) | {name: _to(name) for name in own}
     asked = {"allOf": [_to("question"), _to(f"{subject}-question")], "unevaluatedProperties": False}
-    listed = {"properties": {"questions": {"items": asked}}}
+    listed = {"properties": {**known, "questions": {"items": asked}}}
     return {**listed, "if": {"required": ["questions"]}, "else": _to(f"{subject}-question")}
 
 
@@ -107,7 +119,7 @@ def _kind(options: Part, model: Any, doc: str | None) -> Part:
     own = {name: part for name, part in options.get("properties", {}).items() if name not in ASKED_KEYS}
     own |= {name: {**_to(name), "said": own[name]["said"]} for name in described(model)}
     wanted = {"required": options["required"]} if options.get("required") else {}
-    return {"description": doc or "", "properties": own, **wanted}
+    return {"title": (doc or "").partition("\n")[0], "description": doc or "", "properties": own, **wanted}
 
 
 @cache

@@ -30,7 +30,9 @@ def trimmed(schema: Part) -> Part:
 
     def trim(part: Part) -> Part:
         if "properties" in part:
-            fields = {name: _described(field) for name, field in part["properties"].items()}
+            fields = {
+                name: _described(field) if field else field for name, field in part["properties"].items()
+            }
             part = {**part, "properties": fields}
         if part.get("default", 0) in ("", None, [], {}):
             part = {key: value for key, value in part.items() if key != "default"}
