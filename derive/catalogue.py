@@ -67,15 +67,10 @@ def _subject(subject: str) -> str:
     module = subjects.load(subject)
     asked = {kind: _first_line(kinds.load(subject, kind)) for kind in kinds.kinds_of(subject)}
     example = example_of(next(iter(kinds.kinds_of(subject).values())))
-    blocks = [
-        inspect.getdoc(module) or "",
-        _fields("Fields", module.Given),
-        _listed("What can be asked", asked),
-    ]
-    blocks += ["Example:\n\n" + _indented(example.strip())]
-    return (
-        "\n\n".join([*blocks, f"'derive kinds {subject} KIND' shows the options and results of one."]) + "\n"
-    )
+    blocks = [inspect.getdoc(module) or "", _fields("Fields", module.Given)]
+    blocks += [_listed("What can be asked", asked), "Example:\n\n" + _indented(example.strip())]
+    blocks += [f"'derive kinds {subject} KIND' shows the options and the results of one question."]
+    return "\n\n".join(blocks) + "\n"
 
 
 def _require(name: str, known: Iterable[str], what: str, whose: str = "") -> None:
@@ -125,7 +120,7 @@ def _fields(title: str, model: Any) -> str:
 
 
 def _sentence(field: Field) -> str:
-    return f"{field.form}: {field.said}" if field.said and field.form else field.form or field.said
+    return f"{field.said} [{field.form}]" if field.said and field.form else field.said or field.form
 
 
 def _listed(title: str, entries: dict[str, str], about: str = "") -> str:

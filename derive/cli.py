@@ -239,23 +239,46 @@ def check(sheets: tuple[Path, ...], style: str) -> None:
         raise click.exceptions.Exit(1)
 
 
+def _known(ctx: click.Context, option: click.Parameter, typed: str) -> list[str]:
+    """Subjects and kinds that begin like this, for a shell; those of a subject where one stands before."""
+    from derive.kinds import registry
+    from derive.sheet.subjects.registry import subjects
+
+    subject = ctx.params.get("name") if option.name == "kind" else None
+    chosen = (subject,) if subject in subjects() else subjects()
+    names = {kind for each in chosen for kind in registry.kinds_of(each)}
+    if option.name == "name":
+        names |= {*subjects()}
+    return sorted(name for name in names if name.startswith(typed))
+
+
 @main.command(short_help="Say what can be asked, or all about one subject or kind.")
-@click.argument("name", metavar="[SUBJECT | KIND]", required=False)
-@click.argument("kind", required=False)
-@click.option("--format", "style", type=click.Choice(["text", "markdown"]), default="text", show_default=True)
+@click.argument("name", metavar="[SUBJECT | KIND]", required=False, shell_complete=_known)
+@click.argument("kind", required=False, shell_complete=_known)
+@click.option(
+    "--format",
+    "style",
+    type=click.Choice(["text", "markdown", "reference"]),
+    default="text",
+    show_default=True,
+    help="markdown: a table of all kinds; reference: tables of all fields.",
+)
 def kinds(name: str | None, kind: str | None, style: str) -> None:
     """Say what can be asked. Of a SUBJECT how it is described and what can be asked of it; of a KIND its
     options, its results and a runnable example."""
     from derive import catalogue
+    from derive.sheet.reference import reference
 
-    whole = catalogue.table if style == "markdown" else catalogue.overview
+    if name is not None and style != "text":
+        raise click.UsageError(f"--format {style} is about all kinds: leave '{name}' out")
+    whole = {"text": catalogue.overview, "markdown": catalogue.table, "reference": reference}
     with guarded():
-        page(whole() if name is None else catalogue.describe(name, kind))
+        page(whole[style]() if name is None else catalogue.describe(name, kind))
 
 
 @main.command()
 @click.argument("name")
-@click.option("--kind", help="Start from the example of this kind.")
+@click.option("--kind", help="Start from the example of this kind.", shell_complete=_known)
 def new(name: str, kind: str | None) -> None:
     """Write a commented sheet to start from, NAME.yaml. It builds as it stands.
 

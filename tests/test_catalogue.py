@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from derive import catalogue
 from derive.errors import SheetErrors
 from derive.kinds import registry as kinds
+from derive.sheet.reference import reference
 from derive.sheet.subjects import registry as subjects
+from tests.sheets import ROOT
 
-README = Path(__file__).parent.parent / "README.md"
+README = ROOT / "README.md"
+LANGUAGE = ROOT / "docs" / "language.md"
 EVERY = sorted({kind for subject in subjects.subjects() for kind in kinds.kinds_of(subject)})
 
 
@@ -19,6 +20,12 @@ def test_the_readme_lists_the_kinds() -> None:
     _, _, rest = README.read_text(encoding="utf-8").partition("<!-- kinds")
     between = rest.partition("-->\n")[2].partition("<!-- /kinds -->")[0]
     assert between.strip() == catalogue.table().strip(), "paste the output of: derive kinds --format markdown"
+
+
+def test_the_page_on_the_language_lists_the_fields() -> None:
+    _, _, rest = LANGUAGE.read_text(encoding="utf-8").partition("<!-- fields")
+    between = rest.partition("-->\n")[2].partition("<!-- /fields -->")[0]
+    assert between.strip() == reference().strip(), "paste the output of: derive kinds --format reference"
 
 
 @pytest.mark.parametrize("kind", EVERY)
@@ -62,5 +69,5 @@ def test_what_is_not_there(asked: tuple[str, ...], message: str, hint: str) -> N
 
 def test_forms_of_options_in_words() -> None:
     said = catalogue.describe("jacobian")
-    assert " in " in said and "  base or tool (default base)" in said
+    assert " in " in said and " [base or tool (default base)]" in said
     assert "a list of: vx or vy" in said

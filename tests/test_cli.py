@@ -6,8 +6,10 @@ from errno import ENOSPC
 from pathlib import Path
 
 import pytest
+from click.shell_completion import ShellComplete
 
 from derive import build as pipeline
+from derive.cli import main
 from derive.errors import Place, SheetError
 from derive.messages import written
 from tests.commands import SHEET, run
@@ -196,6 +198,20 @@ def test_kinds() -> None:
 def test_new_sheet_builds(folder: Path) -> None:
     assert run("new", "mine", "--kind", "jacobian").exit_code == 0
     assert run("mine.yaml", "--format", "json").exit_code == 0
+
+
+@pytest.mark.parametrize(
+    ("typed", "begun", "offered"),
+    [
+        (["kinds"], "rob", {"robot"}),
+        (["kinds"], "jac", {"jacobian", "jacobian-derivative"}),
+        (["kinds", "motor"], "st", {"stability", "state-space", "step-response"}),
+        (["new", "mine", "--kind"], "dh", {"dh-table"}),
+    ],
+)
+def test_a_shell_completes_subjects_and_kinds(typed: list[str], begun: str, offered: set[str]) -> None:
+    shell = ShellComplete(main, {}, "derive", "_DERIVE_COMPLETE")
+    assert {each.value for each in shell.get_completions(typed, begun)} == offered
 
 
 def test_the_tour_builds_and_its_answers_hold(folder: Path) -> None:

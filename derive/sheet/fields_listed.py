@@ -77,7 +77,8 @@ def _keys(part: Part) -> str:
 
 def _field(name: str, part: Part, whole: Part) -> Field:
     default = part.get("default")
-    said = f" (default {default})" if default not in (None, "", [], {}) and _plain(default) else ""
+    shown = str(default).lower() if isinstance(default, bool) else default
+    said = f" (default {shown})" if default not in (None, "", [], {}) and _plain(default) else ""
     return Field(name, _form(part, whole) + said, str(part.get("said", "")))
 
 
@@ -102,7 +103,10 @@ def _form(part: Part, whole: Part) -> str:
         forms = [_form(item, whole) for item in part["prefixItems"]]
         return f"{len(forms)} of: {forms[0]}" if len({*forms}) == 1 else f"[{', '.join(forms)}]"
     if "items" in part:
-        return f"a list of: {_form(part['items'], whole)}"
+        inner = _form(part["items"], whole)
+        return f"a list of: {inner}" if inner else "a list"
+    if isinstance(part.get("additionalProperties"), dict):
+        return f"names, each with: {_form(part['additionalProperties'], whole)}"
     if "properties" in part:
         return _keys(part)
     return str(part.get("description", "")).replace("\n", " ") or TYPES.get(str(part.get("type")), "")

@@ -16,6 +16,7 @@ from ruamel.yaml import YAML
 from derive import catalogue
 from derive.kinds import registry as kinds
 from derive.render.questions import example_of
+from derive.sheet.reference import reference
 from derive.sheet.subjects import registry as subjects
 
 HERE = Path(__file__).parent
@@ -23,6 +24,7 @@ ROOT = HERE.parents[1]
 OPEN = "FILL IN"
 NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 TABLE = re.compile(r"(?<=format markdown` -->).*?(?=<!-- /kinds -->)", re.DOTALL)
+FIELDS = re.compile(r"(?<=format reference` -->).*?(?=<!-- /fields -->)", re.DOTALL)
 NEXT = """\
 It builds as it stands: python3 -m derive exercises/{kind}.yaml --format md --output -
 Fill in what says FILL IN, then: python3 -m tests.scaffold {subject} {kind}"""
@@ -97,16 +99,22 @@ def _begun(subject: str, kind: str, missing: dict[Path, str]) -> str:
 
 
 def _ended(subject: str, kind: str) -> str:
-    """README's table and the pages of the sheet, once nothing is left to be filled in."""
+    """README's table, that of all fields and the pages of the sheet, once nothing is left to be filled in."""
     if left := list(_left(subject, kind)):
         raise SystemExit("\n".join(["this is still to be filled in:", *left]))
     _tidy(subject, kind)
-    readme = ROOT / "README.md"
-    text = readme.read_text(encoding="utf-8")
-    readme.write_text(TABLE.sub(lambda _: f"\n\n{catalogue.table()}\n", text), encoding="utf-8")
+    _paste("README.md", TABLE, catalogue.table())
+    _paste("docs/language.md", FIELDS, reference())
     golden = ("tests/test_golden.py", "--update-golden", "-k", f"kept and {kind}")
     _run("pytest", "-n0", *golden)
-    return f"README.md and output/{kind}.* are written: look at them. Then: pytest -k {kind}, and just check"
+    written = f"README.md, docs/language.md and output/{kind}.* are written"
+    return f"{written}: look at them. Then: pytest -k {kind}, and just check"
+
+
+def _paste(page: str, place: re.Pattern[str], text: str) -> None:
+    """Writes text anew at its place in a page."""
+    path = ROOT / page
+    path.write_text(place.sub(lambda _: f"\n\n{text}\n", path.read_text(encoding="utf-8")), encoding="utf-8")
 
 
 def _left(subject: str, kind: str) -> Iterator[str]:
