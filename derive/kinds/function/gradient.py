@@ -22,7 +22,9 @@ class Facts(PageFacts):
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:
     """[df/dx_1 ... df/dx_n]. Raises NotDerivable for a vector function."""
     if function.vector:
-        raise NotDerivable("the gradient is that of a scalar function; of a list ask for the jacobian")
+        raise NotDerivable(
+            "the gradient is that of a scalar function; of a list ask for the jacobian", "value"
+        )
     name, value = function_name(problem), function.values[0]
     work = Work(problem).given(name, value)
     partials = tuple(partial_step(problem, name, value, each) for each in function.variables)

@@ -46,6 +46,8 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
 def _require_square(J: ScalarMatrix) -> None:
     rows, columns = J.shape
     if rows != columns:
-        raise NotDerivable(f"this Jacobian is {rows} by {columns}: only a square one has a determinant")
+        raise NotDerivable(
+            f"this Jacobian is {rows} by {columns}: only a square one has a determinant", "determinant"
+        )
     if rows > MOST_SQUARE:
-        raise NotDerivable(f"a determinant of {rows} rows is not worked out here")
+        raise NotDerivable(f"a determinant of {rows} rows is not worked out here", "determinant")

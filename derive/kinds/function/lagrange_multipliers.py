@@ -24,5 +24,5 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
     if not function.constraints:
         raise NotDerivable("there is no constraint: give one under subject_to, or ask for stationary-points")
     if len(function.constraints) > len(function.variables):
-        raise NotDerivable("there are more constraints than variables")
+        raise NotDerivable("there are more constraints than variables", "subject_to")
     return worked("lagrange-multipliers", function, problem)

@@ -27,7 +27,7 @@ def solved(model: Model) -> Solved:
     or is too large."""
     system, n, m = model.system, len(model.system.coordinates), len(model.conditions)
     if n + m > LARGEST:
-        raise NotDerivable(f"{n + m} unknowns are not solved for here; leave solve: out")
+        raise NotDerivable(f"{n + m} unknowns are not solved for here; leave solve: out", "solve")
     across = [on_accelerations(condition, system) for condition in model.conditions]
     rows = [[*model.mass.rows[k], *(-condition.a[k] for condition in model.conditions)] for k in range(n)] + [
         [*(each.diff(name) for name in system.accelerations), *[Scalar.of(0)] * m] for each in across
@@ -39,7 +39,7 @@ def solved(model: Model) -> Solved:
     if not det:
         raise NotDerivable(_singular(bool(m)))
     if len(det.numerator) > LONGEST:
-        raise NotDerivable("the accelerations are too long to be written down; leave solve: out")
+        raise NotDerivable("the accelerations are too long to be written down; leave solve: out", "solve")
     values = [
         sum((a * b for a, b in zip(row, right, strict=True)), Scalar.of(0)) / det
         for row in matrix.adjugate().rows

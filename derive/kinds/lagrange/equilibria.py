@@ -53,7 +53,9 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     Raises NotDerivable under constraints, and where the equations have no exact or isolated solution.
     """
     if system.constraints:
-        raise NotDerivable("under constraints no equilibria are looked for; take coordinates that are free")
+        raise NotDerivable(
+            "under constraints no equilibria are looked for; take coordinates that are free", "constraints"
+        )
     model = Model(system, problem)
     positive = {n for n, what in problem.assumptions.items() if what == "positive"} | surely_positive(model)
     given = _inputs(model, options)
@@ -96,7 +98,7 @@ def _inputs(model: Model, options: Options) -> dict[Symbol, Expr]:
     names = inputs_of(model)
     forces = frozenset().union(*(free_symbols(tree) for _, tree in model.system.forces))
     if unknown := sorted(given.keys() - forces):
-        raise NotDerivable(f"{unknown[0]} under inputs: is none of the inputs ({', '.join(names)})")
+        raise NotDerivable(f"{unknown[0]} under inputs: is none of the inputs ({', '.join(names)})", "inputs")
     require_steady(given, (*model.system.coordinates, *model.system.rates, *model.system.accelerations))
     return {Symbol(name): given.get(name, ZERO) for name in dict.fromkeys((*names, *given))}
 
@@ -109,7 +111,7 @@ def _at_rest(model: Model, given: Mapping[Symbol, Expr]) -> list[Scalar]:
     held = dict[Expr, Expr]({name: value for name, value in given.items() if value not in (ZERO, name)})
     found = [there(model, each, held) for each in found] if held else found
     if any(TIME in each.letters() for each in found):
-        raise NotDerivable("the forces change with the time: the system has no state of rest")
+        raise NotDerivable("the forces change with the time: the system has no state of rest", "forces")
     return found
 
 

@@ -70,7 +70,8 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     """
     if system.constraints:
         raise NotDerivable(
-            "with constraints only coordinates that are free can be linearised; eliminate the others"
+            "with constraints only coordinates that are free can be linearised; eliminate the others",
+            "constraints",
         )
     model = Model(system, problem)
     inputs = options.inputs if options.inputs is not None else inputs_of(model)
@@ -78,7 +79,9 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     _require_rest(model, at)
     linear = _linear(model, at, inputs)
     if not linear.M.det():
-        raise NotDerivable("the mass matrix is singular at this state: a coordinate has no inertia there")
+        raise NotDerivable(
+            "the mass matrix is singular at this state: a coordinate has no inertia there", "at"
+        )
     matrices, state = (*_matrix_steps(model, linear),), (*_state_steps(model, linear),)
     steps, facts = (*matrices, *state), _facts(model, options, linear, at)
     results = {step.name: problem.final(step.result) for step in steps}

@@ -132,7 +132,8 @@ def inertia_of(given: GivenMatrix, problem: Problem) -> GivenInertia:
     if len(given.variables) != n:
         raise NotDerivable(
             f"an inertia matrix of {n} rows has {n} joint variables, and {len(given.variables)} are listed: "
-            "give all of them, in the order of the rows, under variables:"
+            "give all of them, in the order of the rows, under variables:",
+            "variables",
         )
     D = normal_matrix(given.value)
     if beside := next(_differing(problem.exact(D)), None):

@@ -140,7 +140,7 @@ def _require_within(here: Here, numbers: Mapping[str, Any]) -> None:
     """Raises NotDerivable for a time before the motion begins or after its end."""
     time, whole = here.point.get(T.name), numbers.get("time")
     if time is not None and isinstance(whole, float) and not 0 <= time <= whole:
-        raise NotDerivable(f"the motion is over at t = {whole:.3g}, and begins at 0")
+        raise NotDerivable(f"the motion is over at t = {whole:.3g}, and begins at 0", "evaluate")
 
 
 def _results(work: Work, found: Bent, place: tuple[Symbol, Symbol, Symbol], way: str) -> dict[str, Result]:

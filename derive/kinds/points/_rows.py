@@ -40,7 +40,8 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
         where = "in a plane" if size == 3 else "on a line"
         raise NotDerivable(
             f"the points in the first frame lie {where}, so a row has more unknowns than the points fix: "
-            "the fit by rows needs points that do not; use method: svd"
+            "the fit by rows needs points that do not; use method: svd",
+            "method",
         )
     targets = [ScalarMatrix.column(b.entries[k] for b in data.b) for k in range(size)]
     rows = [gram.inverse() @ (table.T @ target) for target in targets]

@@ -113,7 +113,7 @@ def of_any_rotation(given: Given) -> Given:
 def given_pose(options: PoseOptions, problem: Problem, rotation_only: bool = True) -> Given:
     """The pose of the problem's subject. Raises NotDerivable where `from` and `to` make no sense."""
     if problem.name != "frames" and (options.source is not None or options.target):
-        raise NotDerivable("'from' and 'to' choose among frames; this problem has none")
+        raise NotDerivable("'from' and 'to' choose among frames; this problem has none", "from")
     given: Given = import_module(f"derive.kinds.{problem.name}._pose").given(options, problem, rotation_only)
     return given
 

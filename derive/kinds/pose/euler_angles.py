@@ -78,7 +78,7 @@ def _names(options: Options, problem: Problem) -> tuple[str, str, str]:
     if options.angles is None:
         return usual_angles(problem)
     if used := problem.taken & set(three(options.angles)):
-        raise NotDerivable(f"{min(used)} has a meaning in this problem: name the angles otherwise")
+        raise NotDerivable(f"{min(used)} has a meaning in this problem: name the angles otherwise", "angles")
     return options.angles
 
 
@@ -90,5 +90,5 @@ def usual_angles(problem: Problem) -> tuple[str, str, str]:
 def three(names: tuple[str, str, str]) -> tuple[str, str, str]:
     """The names of an author. Raises NotDerivable where two of them are the same."""
     if len(set(names)) < 3:
-        raise NotDerivable("the three angles need three different names")
+        raise NotDerivable("the three angles need three different names", "angles")
     return names

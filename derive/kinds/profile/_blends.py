@@ -108,7 +108,7 @@ def _same_way(value: Expr, by: str, way: Expr, working: Work) -> Expr:
     """A velocity or an acceleration has the sign of the way; a duration has none."""
     signs = working.sign(value), working.sign(way)
     if signs[1] == 0:
-        raise NotDerivable("start and end are the same: there is nowhere to go")
+        raise NotDerivable("start and end are the same: there is nowhere to go", "to")
     return working.shown(-value) if by != "t_b" and None not in signs and signs[0] != signs[1] else value
 
 
@@ -124,7 +124,9 @@ def _solved(working: Work, by: str, given: Symbol, way: Expr, T: Symbol) -> Work
         working = working.worked("a", given)
         inside = T**2 / 4 + _minus(way / given)
         if working.sign(inside) == -1:
-            raise NotDerivable("the acceleration must be at least four times the way over the time squared")
+            raise NotDerivable(
+                "the acceleration must be at least four times the way over the time squared", "acceleration"
+            )
         working = working.worked("t_b", T / 2 - sqrt(inside))
         duration = working.known[T_B]
         return working.worked(
@@ -143,7 +145,7 @@ def _minus(expr: Expr) -> Expr:
 def _need(working: Work, T: Symbol, why: str) -> None:
     """0 < t_b <= t_f/2. Raises NotDerivable."""
     if working.sign(T_B) in (0, -1) or working.sign(T / 2 - T_B) == -1:
-        raise NotDerivable(f"this cannot be done in the time: {why}")
+        raise NotDerivable(f"this cannot be done in the time: {why}", "time")
 
 
 def _by_limits(

@@ -57,7 +57,7 @@ def board(profile: Profile, problem: Problem) -> tuple[Work, tuple[Limited, ...]
             raise NotDerivable("a distance is needed")
         sign = bare.sign(way)
         if sign == 0:
-            raise NotDerivable("the distance is zero: there is nothing to move")
+            raise NotDerivable("the distance is zero: there is nothing to move", "distance")
         backwards = sign == -1 or (sign is None and is_negative(way))
         size = bare.shown(-way) if backwards else way if free_symbols(way) else bare.shown(way)
         d = named(f"d_{end}" if end else "d", size, problem.taken)

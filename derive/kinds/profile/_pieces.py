@@ -96,7 +96,7 @@ def in_floats(spans: Sequence[Span], evaluate: Place | None, problem: Problem) -
     except KeyError:
         return None
     except (ValueError, ZeroDivisionError) as error:
-        raise NotDerivable("there is no such trajectory at the point asked for") from error
+        raise NotDerivable("there is no such trajectory at the point asked for", "evaluate") from error
     if any(piece.end < piece.start for piece in found):
-        raise NotDerivable("the time is too short at the point asked for: its pieces overlap")
+        raise NotDerivable("the time is too short at the point asked for: its pieces overlap", "evaluate")
     return found

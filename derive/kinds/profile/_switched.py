@@ -65,7 +65,7 @@ def switched(profile: Profile, problem: Problem) -> Motion:
     if not given.rests:
         given = _braked(given)
     elif (sign := given.work.sign(given.d)) == 0:
-        raise NotDerivable("the distance is zero: there is nothing to move")
+        raise NotDerivable("the distance is zero: there is nothing to move", "distance")
     elif sign == -1:
         given = _changed(given, ahead=-1)
     return _timed(_peaked(given))
@@ -84,7 +84,7 @@ def _changed(
 def _journey(profile: Profile) -> Journey:
     """One axis with a limit of its acceleration."""
     if profile.journey is None:
-        raise NotDerivable("law: bang-bang is for one axis; several axes go by law: trapezoidal")
+        raise NotDerivable("law: bang-bang is for one axis; several axes go by law: trapezoidal", "law")
     if profile.journey.a_max is None:
         raise NotDerivable("a limit of the acceleration is needed: a_max: ...")
     return profile.journey

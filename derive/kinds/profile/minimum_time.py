@@ -52,7 +52,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     Raises NotDerivable where a time is given, and where the slowest of several axes cannot be told.
     """
     if profile.time is not None:
-        raise NotDerivable("the time is what is looked for, and one is given; leave it out")
+        raise NotDerivable("the time is what is looked for, and one is given; leave it out", "time")
     journey = profile.journey
     moving = journey is not None and not (journey.begins_at_rest and journey.ends_at_rest)
     if options.law == "trapezoidal" or options.law == "bang-bang":

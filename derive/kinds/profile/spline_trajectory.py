@@ -69,10 +69,12 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
             "there are no via points: add via: [{time: 1 s, at: 10 deg}], or ask cubic-trajectory"
         )
     if options.ends == "natural" and (journey.start_velocity, journey.end_velocity) != (ZERO, ZERO):
-        raise NotDerivable("natural ends are given no velocity: leave start_velocity: and end_velocity: out")
+        raise NotDerivable(
+            "natural ends are given no velocity: leave start_velocity: and end_velocity: out", "ends"
+        )
     knots = _knots(journey, profile, options.ends, problem)
     if len(journey.via) > MOST_BY_SYMBOLS and any(free_symbols(problem.final(time)) for time in knots.times):
-        raise NotDerivable(f"with more than {MOST_BY_SYMBOLS} via points their times must be numbers")
+        raise NotDerivable(f"with more than {MOST_BY_SYMBOLS} via points their times must be numbers", "via")
     A, b = system(knots)
     velocities = (A.inverse() @ b).entries
     working = knots.working

@@ -137,7 +137,9 @@ def _switching(axis: Axis, time: float | None, point: Mapping[str, float]) -> tr
     d, v = (value_of(expr, point) for expr in (axis.distance, axis.v_max))
     a = inf if axis.a_max is None else value_of(axis.a_max, point)
     if d == 0 or v <= 0 or a <= 0:
-        raise NotDerivable("a distance that is not zero and positive limits are needed at the point")
+        raise NotDerivable(
+            "a distance that is not zero and positive limits are needed at the point", "evaluate"
+        )
     return trapezoid.shortest(abs(d), v, a) if time is None else trapezoid.timed(abs(d), v, a, time)
 
 

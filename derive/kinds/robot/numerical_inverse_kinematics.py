@@ -244,7 +244,8 @@ def _numbers(task: Task, options: Options, problem: Problem) -> dict[str, float]
     used = {name for entry in task.point.position.entries for name in entry.generators()}
     if needed := [name for name in open_names if name in used]:
         raise NotDerivable(
-            f"no value is known for {_listed(needed)}: iterations need numbers, under where: or evaluate:"
+            f"no value is known for {_listed(needed)}: iterations need numbers, under where: or evaluate:",
+            "evaluate",
         )
     return {**dict.fromkeys(open_names, 0.0), **here}
 

@@ -95,7 +95,9 @@ def _task(problem: Problem, options: Options) -> Task:
         task = task_of(problem, tuple(linear), options.point)
     m, n = task.J.shape
     if m > n:
-        raise NotDerivable(f"{m} rows are more than the {n} joints can move; give fewer, as rows: [vx, vy]")
+        raise NotDerivable(
+            f"{m} rows are more than the {n} joints can move; give fewer, as rows: [vx, vy]", "rows"
+        )
     return task
 
 
@@ -122,7 +124,9 @@ def _regular(task: Task) -> ScalarMatrix:
     """J, if it has an inverse anywhere. Raises NotDerivable."""
     if not task.J.det():
         rows = ", ".join(task.rows)
-        raise NotDerivable(f"the rows {rows} of J are dependent everywhere; choose others, as rows: [vx, vy]")
+        raise NotDerivable(
+            f"the rows {rows} of J are dependent everywhere; choose others, as rows: [vx, vy]", "rows"
+        )
     return task.J
 
 

@@ -77,7 +77,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if len(force) != len(rows):
         given, asked = how_many(len(force), "component"), how_many(len(rows), "row")
         which = f"the {asked} {', '.join(rows)}"
-        raise NotDerivable(f"{given} of the force for {which}; give one for each")
+        raise NotDerivable(f"{given} of the force for {which}; give one for each", "force")
     task, work = task_of(problem, rows, options.point), Work(problem)
     wrench = Wrench(problem, task.point, dict(zip(task.rows, force, strict=True)), options.frame == "tool")
     exerted: tuple[Expr, ...] = force

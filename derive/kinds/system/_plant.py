@@ -54,14 +54,16 @@ class Plant:
         """At the point. Raises NotDerivable where a name has no value."""
         value = self.there(rational)
         if missing := sorted(value.symbols()):
-            raise NotDerivable(f"no value is known for {', '.join(missing)}: give it under evaluate")
+            raise NotDerivable(
+                f"no value is known for {', '.join(missing)}: give it under evaluate", "evaluate"
+            )
         return value
 
     def there(self, rational: Rational) -> Rational:
         """At the point, which may leave names without a value."""
         value = rational.at({**self.problem.names, **self.point})
         if not value.den:
-            raise NotDerivable("the denominator is zero at these values")
+            raise NotDerivable("the denominator is zero at these values", "evaluate")
         return value.reduced() if value.num and value.symbols() else value
 
 
@@ -86,12 +88,14 @@ def _require_numbers(problem: Problem, point: Place, typed: Iterable[Expr]) -> N
     moving = {S.name, *(signal.name for signal in signals(system))}
     for name, value in (*problem.where.items(), *point):
         if found := sorted(free_symbols(value) & moving):
-            raise NotDerivable(f"{name} stands for what holds {found[0]}: write it out in the equations")
+            raise NotDerivable(
+                f"{name} stands for what holds {found[0]}: write it out in the equations", "equations"
+            )
     sides = (side for equation in system.equations for side in (equation.left, equation.right))
     known = frozenset[str]().union(*map(free_symbols, (*sides, *typed, *problem.where.values())))
     for name, _ in point:
         if name in moving or (name not in known and name not in problem.where):
-            raise NotDerivable(f"{name} under evaluate: is no parameter of the system")
+            raise NotDerivable(f"{name} under evaluate: is no parameter of the system", "evaluate")
 
 
 class Delayed(Record):

@@ -68,10 +68,10 @@ def closed(problem: Problem, controller: Controller, point: Place | None) -> Clo
     solved = plant(problem, None, point, controller.gains)
     ratio = controller.ratio(solved.style)
     if not ratio:
-        raise NotDerivable("every gain of the controller is zero: nothing drives the system")
+        raise NotDerivable("every gain of the controller is zero: nothing drives the system", "controller")
     names = {signal.name for signal in signals(solved.system)}
     if mistaken := sorted(frozenset().union(*map(free_symbols, controller.gains)) & names):
-        raise NotDerivable(f"{mistaken[0]} is a signal of the system, and cannot be a gain")
+        raise NotDerivable(f"{mistaken[0]} is a signal of the system, and cannot be a gain", "controller")
     loop = Loop(Rational.of(ratio), solved.rational)
     transfer = loop.closed
     return Closed(solved, controller, loop, transfer, transfer.reduced())

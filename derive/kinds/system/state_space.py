@@ -188,7 +188,9 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], AtPoin
         return {}, None
     solved = answer.plant
     if len(solved.there(answer.transfer).den) < len(answer.transfer.den):
-        raise NotDerivable("the highest coefficient is zero at these values: there are fewer states")
+        raise NotDerivable(
+            "the highest coefficient is zero at these values: there are fewer states", "evaluate"
+        )
     names = {**solved.problem.names, **solved.point}
     numeric = {name: normal_matrix(readable_form(answer, name), names) for name in MATRICES}
     values: dict[str, Any] = {name: [mixed(row) for row in matrix.rows] for name, matrix in numeric.items()}

@@ -39,7 +39,9 @@ def inertia_by_equations(task: Task, arm: Arm) -> tuple[LinearSystem, Work]:
     where the rows of J are dependent everywhere."""
     if not any(_is_of_full_rank(task.numbers(at)) for at in random_points(task.symbols, TRIES)):
         rows = ", ".join(task.rows)
-        raise NotDerivable(f"the rows {rows} of J are dependent everywhere; choose others, as rows: [vx, vy]")
+        raise NotDerivable(
+            f"the rows {rows} of J are dependent everywhere; choose others, as rows: [vx, vy]", "rows"
+        )
     X = Symbol(free(task.problem.taken, "X", "Y"))
     turned = transpose(J)
     lines = (Product((D, X)), turned), (LAMBDA, Product((J, X)) ** -1, Product((J, D**-1, turned)) ** -1)

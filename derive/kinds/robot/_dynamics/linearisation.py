@@ -98,7 +98,7 @@ def linear_at(problem: Problem, at: Mapping[str, Expr]) -> Linear:
     names, motion = problem.subject.variables, problem.ask("dynamics")
     strange = [name for name in at if name not in names]
     if strange:
-        raise NotDerivable(f"at: {strange[0]} is no joint variable; they are {', '.join(names)}")
+        raise NotDerivable(f"at: {strange[0]} is no joint variable; they are {', '.join(names)}", "at")
     values: Names = {**problem.names, **{Symbol(name): value for name, value in at.items()}}
     g = motion.matrix("g")
     slope = ScalarMatrix.of([[normal(entry).diff(name) for name in names] for (entry,) in g.rows])

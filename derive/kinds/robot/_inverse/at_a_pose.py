@@ -81,7 +81,8 @@ def derive(chain: Chain, target: Target, place: Place, problem: Problem) -> Deri
     if missing := sorted((of_arm | set(target.goal.names)) - point.keys() - set(chain.variables)):
         raise NotDerivable(
             "no formula was found, and for numbers every name needs a value under evaluate; "
-            f"{', '.join(missing)} {'has' if len(missing) == 1 else 'have'} none"
+            f"{', '.join(missing)} {'has' if len(missing) == 1 else 'have'} none",
+            "evaluate",
         )
     found = _AtPose(problem, chain, target, point)
     values, solutions = found.evaluated, found.solutions

@@ -178,7 +178,7 @@ def with_rotation(point: dict[str, float]) -> tuple[dict[str, float], float]:
     off = float(np.abs(R @ R.T - np.eye(3)).max())
     if off > ROUNDED or np.linalg.det(R) < 0:
         why = "it is left-handed" if off <= ROUNDED else f"R R^T differs from one by {off:.2g}"
-        raise NotDerivable(f"r11 ... r33 are no rotation matrix at the place asked for: {why}")
+        raise NotDerivable(f"r11 ... r33 are no rotation matrix at the place asked for: {why}", "evaluate")
     U, _, V = np.linalg.svd(R)
     nearest = dict(zip(ROTATION, map(float, (U @ V).flat), strict=True))
     return ({**point, **nearest}, off) if off > 1e-12 else (point, 0.0)

@@ -36,7 +36,8 @@ def refuse_at_once(chain: Chain, goal: Goal) -> None:
             f"no closed form found: the arm has {joints} joint variables, and what is given "
             f"({_listed(goal)}) can determine only {goal.size}, so there are infinitely many solutions; "
             f"give more of the pose, or say which {_left(joints - goal.size)} chosen: "
-            f"free: [{', '.join(chain.variables[goal.size :])}]"
+            f"free: [{', '.join(chain.variables[goal.size :])}]",
+            "given",
         )
 
 
@@ -46,7 +47,8 @@ def refuse_self_motion(target: Target, points: Sequence[Mapping[str, float]]) ->
         raise NotDerivable(
             f"no closed form found: the arm can move its {len(target.joints)} joints without changing what "
             f"is given ({_listed(target.goal)}), so there are infinitely many solutions; give more of the "
-            "pose, or say which joints are chosen: free: [theta1]"
+            "pose, or say which joints are chosen: free: [theta1]",
+            "given",
         )
 
 

@@ -69,7 +69,9 @@ def oblong(work: Work, block: Block, rule: str, search: Vanishing, point: Phrase
     NotDerivable where they vanish everywhere."""
     problem, name, J = work.problem, Symbol(block.name), block.J
     if comb(max(J.shape), min(J.shape)) > MOST_MINORS:
-        raise NotDerivable("the Jacobian has too many minors to be solved together; ask for some rows only")
+        raise NotDerivable(
+            "the Jacobian has too many minors to be solved together; ask for some rows only", "rows"
+        )
     found = [minor for minor in minors_of(J, block.variables) if minor.value]
     refuse_dependent(block, bool(found))
     names = [_minor_name(block, minor) for minor in found]
@@ -102,7 +104,8 @@ def minors_of(J: ScalarMatrix, variables: tuple[str, ...]) -> tuple[Minor, ...]:
     except TooLong:
         raise NotDerivable(
             "the determinants of this Jacobian are too long to be taken apart; ask for fewer rows, or give "
-            "numbers to lengths and twists, quarter turns where they will do"
+            "numbers to lengths and twists, quarter turns where they will do",
+            "rows",
         ) from None
     return found
 
@@ -121,7 +124,8 @@ def refuse_dependent(block: Block, regular: bool) -> None:
     if not regular:
         which = ", ".join(block.rows)
         raise NotDerivable(
-            f"the rows {which} of the Jacobian are dependent in every configuration; ask for fewer rows"
+            f"the rows {which} of the Jacobian are dependent in every configuration; ask for fewer rows",
+            "rows",
         )
 
 

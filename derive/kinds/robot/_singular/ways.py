@@ -114,7 +114,8 @@ def _seen_from(task: Task, frame: int) -> ScalarMatrix:
     if tool_moves or task.point.drift is not None:
         raise NotDerivable(
             "six rows are worked at the origin of the last row, and here the point moves against it; "
-            "ask for three of them, as rows: [vx, vy, vz]"
+            "ask for three of them, as rows: [vx, vy, vz]",
+            "rows",
         )
     R_T = rotation_part(found.T[frame]).T
     J = jacobian(found, position_part(found.T[-1]), len(found.T_local))

@@ -43,7 +43,7 @@ def analytic(options: Any, problem: Problem) -> Derivation:
     Raises NotDerivable in the frame of the tool: the rates of angles have no axes.
     """
     if options.frame == "tool":
-        raise NotDerivable("rates of Euler angles belong to no frame: leave out 'in: tool'")
+        raise NotDerivable("rates of Euler angles belong to no frame: leave out 'in: tool'", "in")
     base = problem.ask("jacobian", point=options.point)
     rates = problem.ask("euler-rates", convention=options.convention, angles=options.angles)
     first, second, third = rates.told(euler_rates.Facts).short_names
@@ -165,7 +165,8 @@ def _refuse_singular(problem: Problem, euler: Euler, frame: int) -> None:
         if abs(numeric.scalar_number(det, _angles(problem, euler, frame, known))) > SMALL:
             return
     raise NotDerivable(
-        "in every configuration of this arm these angles are singular (det T = 0): choose another convention"
+        "in every configuration of this arm these angles are singular (det T = 0): choose another convention",
+        "convention",
     )
 
 

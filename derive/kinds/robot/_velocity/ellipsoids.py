@@ -140,7 +140,9 @@ def decided(task: Task, place: Place) -> bool:
 def _numbers(task: Task, place: Place) -> dict[str, float]:
     known = dict(oracle_of(task.problem).at(point_of(dict(place), task.problem.where)))
     if not place and (missing := sorted(_used(task) - set(known))):
-        raise NotDerivable(f"no value is known for {', '.join(missing)}: give it under evaluate: or where:")
+        raise NotDerivable(
+            f"no value is known for {', '.join(missing)}: give it under evaluate: or where:", "evaluate"
+        )
     return known
 
 

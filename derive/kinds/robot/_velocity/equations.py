@@ -24,7 +24,9 @@ def equations_for(task: Task) -> tuple[LinearSystem, Work]:
     """They and the board with them: J qdot = v; J J^T lambda = v and qdot = J^T lambda, the least rates; or
     J^T J qdot = J^T v, the least error. Raises NotDerivable where the rows are dependent everywhere."""
     if not any(_of_full_rank(task.numbers(at)) for at in random_points(task.symbols, TRIES)):
-        raise NotDerivable(f"the Jacobian of {', '.join(task.rows)} is singular in every configuration")
+        raise NotDerivable(
+            f"the Jacobian of {', '.join(task.rows)} is singular in every configuration", "rows"
+        )
     whole = task.rows == ROWS and task.base  # then J stands on the page already
     work = Work(task.problem).resting_on(*task.base) if whole else task.board()
     work, turned = work.knowing({V: column(task.velocities)}), transpose(J)

@@ -81,7 +81,9 @@ def by_inverse(task: Task) -> Solved:
     problem, variables = task.problem, task.found.variables
     det, adjugate, velocity = task.J.det(), task.J.adjugate(), column(task.velocities)
     if not det:
-        raise NotDerivable(f"the Jacobian of {', '.join(task.rows)} is singular in every configuration")
+        raise NotDerivable(
+            f"the Jacobian of {', '.join(task.rows)} is singular in every configuration", "rows"
+        )
     tree = as_product(problem, det, variables)
     inverse, shown = Call("inverse", (J,)), _over(tree, problem.readable_matrix(adjugate))
     exact = adjugate @ normal_matrix(velocity)
@@ -132,7 +134,7 @@ def by_pseudo_inverse(task: Task) -> Solved:
     gram = _gram(task)
     det = gram.det()
     if not det:
-        raise NotDerivable(f"the rows {', '.join(task.rows)} are dependent in every configuration")
+        raise NotDerivable(f"the rows {', '.join(task.rows)} are dependent in every configuration", "rows")
     made, qdot, exact = _by_minors(task) if task.redundant else _by_gram(task, gram, det)
     work = task.board().knowing({V: column(task.velocities), PLUS: plus})
     work = work.line(A, Product((J, turned) if task.redundant else (turned, J)), value=gram, rule="gram")

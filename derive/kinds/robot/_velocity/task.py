@@ -98,5 +98,5 @@ def task_of(problem: Problem, rows: tuple[str, ...], point: PointOn | None = Non
     J = where.jacobian(found)
     chosen = rows or task_rows(J)
     if not chosen:
-        raise NotDerivable("no joint moves this point")
+        raise NotDerivable("no joint moves this point", "point")
     return Task(problem, found, where, chosen, rows_of(J, chosen), point)

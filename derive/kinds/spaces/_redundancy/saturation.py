@@ -49,10 +49,12 @@ def within_limits(given: Given, board: Board) -> tuple[Found, Limited]:
     Raises NotDerivable for anything but numbers."""
     J = given.map.name
     if any(entry.constant is None for entry in (*board[J].entries, *board[V].entries)):
-        raise NotDerivable("rates within limits are found in numbers: give all values under evaluate")
+        raise NotDerivable(
+            "rates within limits are found in numbers: give all values under evaluate", "evaluate"
+        )
     limits = given.numbers(given.options.limits or (), "limits")
     if len(board.pivot_rows(board[J])) < given.size[0]:
-        raise NotDerivable("the rows are dependent there, so no share of the task can be promised")
+        raise NotDerivable("the rows are dependent there, so no share of the task can be promised", "rows")
     board, inverse = pseudo_inverse(board, J, PLUS)
     found = saturated(board, board[J], board[V], limits)
     again = _Again(J, limits, len(found.rounds))
