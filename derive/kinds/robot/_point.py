@@ -72,7 +72,7 @@ class Tracked:
 
 def tracked(problem: Problem, chain: Chain, point: PointOn | None) -> Tracked:
     """The point an option names; the end-effector where it names none. Raises NotDerivable for a link that
-    the arm does not have."""
+    the arm does not have, and for the base."""
     rows = len(chain.T_local)
     at = ORIGIN if point is None else point.at
     frame = rows if point is None else next((n for n in (point.link, point.frame) if n is not None), rows)
@@ -80,6 +80,8 @@ def tracked(problem: Problem, chain: Chain, point: PointOn | None) -> Tracked:
         raise NotDerivable(
             f"the point is on link {frame}, but the arm has {rows} row{'s' * (rows != 1)}", "point"
         )
+    if frame == 0:
+        raise NotDerivable("frame 0 stands still: no joint moves this point", "point")
     if point is None and problem.subject.ends_in_tool:
         return Tracked(Symbol("o_e"), position_part(chain.T_tool), rows + 1, rows + 1, at)
     o, R = position_part(chain.T[frame]), rotation_part(chain.T[frame])

@@ -1,0 +1,32 @@
+"""What cannot be derived is told at the option that asks for it, and not at `find`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.commands import run
+
+ARM = "robot: {links: [{theta: q1*, d: 0, a: l, alpha: 0}, {theta: q2*, d: 0, a: m, alpha: 0}]}"
+LOOP = "system: {equations: [Y = X/s, X = U], input: U, output: Y}"
+
+
+@pytest.mark.parametrize(
+    ("subject", "find", "option"),
+    [
+        (ARM, "inverse-velocity", "rows: [vz, vx]"),
+        (ARM, "velocity", "point: {frame: 0}"),
+        (ARM, "velocity", "point: {link: 3}"),
+        (ARM, "euler-angles", "angles: [phi, phi, psi]"),
+        ("function: {variables: [x], value: [x, x^2]}", "jacobian", "determinant: true"),
+        (LOOP, "closed-loop", "controller: {P: X}"),
+        ("motion: [{rotate: z, by: a}]", "euler-angles", "from: 1"),
+    ],
+)
+def test_a_fault_stands_at_its_option(folder: Path, subject: str, find: str, option: str) -> None:
+    sheet = f"title: a\nproblems:\n- {subject}\n  find: {find}\n  {option}\n"
+    (folder / "wrong.yaml").write_text(sheet, encoding="utf-8")
+    done = run("wrong.yaml", "--format", "json")
+    assert done.exit_code == 1
+    assert done.stderr.startswith("wrong.yaml:5:3: "), done.stderr
