@@ -6,8 +6,8 @@ import ast
 import inspect
 from collections.abc import Iterator, Mapping
 from functools import cache
+from importlib import import_module
 from itertools import pairwise
-from textwrap import dedent
 from typing import Any, Literal, TypeAlias
 
 from pydantic import BaseModel, TypeAdapter
@@ -67,10 +67,15 @@ def told(model: type[BaseModel]) -> Mapping[str, str]:
 def _below_fields(model: type[Any]) -> Iterator[tuple[str, str]]:
     if not issubclass(model, BaseModel) or model is BaseModel:
         return
-    (written,) = ast.parse(dedent(inspect.getsource(model))).body
-    assert isinstance(written, ast.ClassDef)
-    for field, text in pairwise(written.body):
-        if isinstance(field, ast.AnnAssign) and isinstance(text, ast.Expr):
-            assert isinstance(field.target, ast.Name)
-            assert isinstance(text.value, ast.Constant)
-            yield field.target.id, " ".join(str(text.value.value).split())
+    written = _classes(model.__module__).get(model.__name__)
+    for field, text in pairwise(written.body if written else ()):
+        match field, text:
+            case ast.AnnAssign(target=ast.Name(name)), ast.Expr(value=ast.Constant(str(said))):
+                yield name, " ".join(said.split())
+
+
+@cache
+def _classes(module: str) -> Mapping[str, ast.ClassDef]:
+    """The classes of a module as they are written, by name."""
+    tree = ast.parse(inspect.getsource(import_module(module)))
+    return {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
