@@ -214,11 +214,14 @@ class _Entry:
             required: list[str] = next((keys for branch in branches if (keys := branch.get("required"))), [])
             hint = f"write {{{', '.join(f'{key}: ...' for key in required)}}}" if required else ""
             return self.at.fault("keys with values are wanted here", self.route, hint)
-        if self.type == "tuple_type":
+        if self.type in ("list_type", "tuple_type"):
             counts = {len(branch.get("prefixItems", ())) for branch in branches} - {0}
             if len(counts) == 1:
                 several = f"[{', '.join(['...'] * counts.pop())}]"
                 return self.at.fault("a list is wanted here", self.route, f"write {several}")
+            value = self.at.value(self.route)
+            if isinstance(value, str):
+                return self.at.fault("a list is wanted here", self.route, f"write [{value}]")
         return None
 
     def _known_keys(self, route: Route) -> list[str]:

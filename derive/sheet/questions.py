@@ -127,7 +127,8 @@ def _kind(at: At, data: dict[str, Any], subject: str) -> ModuleType | None:
         kinds = registry.kinds_of(subject)
         close = did_you_mean(typed, kinds)
         few = f"kinds for {subject}: {', '.join(kinds)}"
-        hint = close if close.startswith("did") else few if len(kinds) < MANY else "'derive kinds' lists them"
+        listed = few if len(kinds) < MANY else f"'derive kinds {subject}' lists them"
+        hint = close if close.startswith("did") else listed
         fault = at.fault(f"there is no kind '{typed}' for {subject}", ("find",), hint)
         raise SheetErrors([fault]) from None
 
