@@ -64,6 +64,12 @@ def test_every_sheet_is_valid(text: str, schema: Draft202012Validator) -> None:
     assert [error.message for error in schema.iter_errors(read(text))] == []
 
 
+def test_every_robot_in_a_file_of_its_own_is_valid(schema: Draft202012Validator) -> None:
+    robot = Draft202012Validator({"$ref": "#/$defs/robot", "$defs": schema.schema["$defs"]})
+    for path in (ROOT / "exercises" / "robots").glob("*.yaml"):
+        assert [error.message for error in robot.iter_errors(read(path.read_text(encoding="utf-8")))] == []
+
+
 @pytest.mark.parametrize(
     ("problem", "said"),
     [
