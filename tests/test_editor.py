@@ -87,7 +87,7 @@ def test_one_subject_is_enough(editor: LanguageServer) -> None:
         (f"{ARM}  questions:\n  - find: jacobian\n    ki|nd: analytic\n", "the rates of three Euler angles"),
         (
             ARM.replace("alpha", "al|pha") + "  find: jacobian\n",
-            "the twist of the link: an angle (rad or deg)",
+            "the twist of the link.",
         ),
         (
             f"{HEAD}- motor: {{con|trol: field, output: angle}}\n  find: model\n",

@@ -46,7 +46,7 @@ def _described(field: Part) -> Part:
     said, form = (str(field.get(key, "")) for key in ("said", "description"))
     rest = {key: value for key, value in field.items() if key not in ("title", "said")}
     if said and form:
-        form = f"{said.rstrip('.')}: {form[0].lower()}{form[1:].rstrip('.')}."
+        form = f"{said} [{form}]"
     return {**rest, **({"description": form or said} if form or said else {})}
 
 

@@ -28,11 +28,10 @@ class Options(OptionsModel):
     """What is known of the end-effector."""
 
     given: Given = ("x", "y")
-    """pose (r11 ... r33, x, y, z), orientation, or names for the known coordinates of the end-effector: two
-    or three of its position, or two and its angle in the plane."""
+    """What is known of the end-effector: its pose (r11 ... r33, x, y, z), its orientation, two or three
+    coordinates of its position, or two and its angle in the plane."""
     free: Free = ()
-    """Joint variables of a redundant arm that are chosen; the others are found from them and what is
-    given."""
+    """Of a redundant arm what is chosen; the others are found from it and what is given."""
     evaluate: Evaluation = None
 
 

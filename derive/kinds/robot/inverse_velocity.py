@@ -51,7 +51,8 @@ class Options(OptionsModel):
     """Which velocities are wanted, of which point."""
 
     rows: tuple[RowName, ...] = ()
-    """The velocities that are wanted; as many as there are joints if left out."""
+    """The velocities that are wanted. If left out, the position or the orientation where the joints command
+    just that, else all that moves."""
     point: PointOn | None = None
     """The point whose motion counts; that of the end-effector if left out."""
     task: tuple[Quantity, ...] = ()

@@ -47,8 +47,7 @@ class Options(OptionsModel):
     """The loop that is closed."""
 
     controller: ControllerField
-    """P, PI, PD or PID with its gains, as {PID: {K_p: 20, K_i: 5, K_d: 10}}; a gain without a value stays a
-    letter."""
+    """The controller; a gain without a value stays a letter."""
     evaluate: Evaluation = None
 
 

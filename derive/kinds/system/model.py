@@ -39,8 +39,7 @@ class Options(OptionsModel):
     """With a controller the loop is closed and the reference steps, without one the input does."""
 
     controller: ControllerField | None = None
-    """P, PI, PD or PID with its gains, as {PID: {K_p: 20, K_i: 5, K_d: 10}}; a gain without a value stays a
-    letter."""
+    """The controller; a gain without a value stays a letter."""
     evaluate: Evaluation = None
 
 
