@@ -26,7 +26,7 @@ class PointOn(OptionsModel):
     link: int | None = Field(None, ge=1)
     """The link on which the point lies."""
     frame: int | None = Field(None, ge=0)
-    """The frame whose origin the point is, 0 for the base."""
+    """The frame whose origin the point is."""
     at: Point = ORIGIN
     """Where the point lies in the link's own frame; its origin if left out."""
 
