@@ -296,6 +296,24 @@ def new(name: str, kind: str | None) -> None:
         say(str(target))
 
 
+@main.command("import")
+@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option("--base", default="", metavar="LINK", help="Where the arm begins; else the root.")
+@click.option("--tip", default="", metavar="LINK", help="Where it ends; else after the most joints.")
+@click.option(
+    "--within", default=1e-9, show_default=True, help="Angles (rad) this near to a simple one are that one."
+)
+def import_(file: Path, base: str, tip: str, within: float) -> None:
+    """Print a robot of URDF or xacro, or a table of CSV, as YAML."""
+    from derive.sheet.imports.files import imported
+
+    with guarded():
+        told = imported(file, base, tip, within)
+        for doubt in told.doubts:
+            warn(doubt)
+        page(told.yaml())
+
+
 @main.command()
 def schema() -> None:
     """Print the JSON Schema of the sheet language, for editors."""

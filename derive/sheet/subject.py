@@ -11,6 +11,7 @@ from derive.kinds.registry import kinds_of
 from derive.kinds.registry import load as kind
 from derive.sheet.checked import checked
 from derive.sheet.faults import MOST, did_you_mean
+from derive.sheet.imports.files import ENDINGS, imported
 from derive.sheet.reader import read
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known, load, subjects
@@ -47,6 +48,8 @@ def _is_option(name: str, data: dict[str, Any], subject: str) -> bool:
 def subject_place(at: At, name: str) -> At:
     """Where the subject is written: here, or in the file that is named here. Raises SheetErrors."""
     typed = at.value((name,))
+    if isinstance(typed, str) and name == "robot" and typed.endswith(ENDINGS):
+        return At(imported(_beside(at, name, typed)).source())
     if not isinstance(typed, str) or not typed.endswith((".yaml", ".yml")):
         return at / name
     source = read(_beside(at, name, typed))
@@ -68,7 +71,11 @@ def _beside(at: At, name: str, typed: str) -> Path:
         raise at.error("the file lies outside the folder of the sheet", (name,), hint)
     if not path.is_file():
         near = (
-            sorted(str(file.relative_to(folder)) for file in path.parent.glob("*.y*ml"))
+            sorted(
+                str(file.relative_to(folder))
+                for file in path.parent.iterdir()
+                if file.suffix in (".yaml", ".yml", *ENDINGS)
+            )
             if path.parent.is_dir()
             else []
         )

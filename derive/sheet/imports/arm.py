@@ -1,0 +1,207 @@
+"""The arm in a tree of links as the rows of a robot: each joint a free row, fixed joints merged into it, what is
+welded to a link one body with it, a joint that follows another coupled to it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from derive.errors import SheetError
+from derive.sheet.imports.elements import Element
+from derive.sheet.imports.rigid import ORIGIN, Mass, added
+from derive.sheet.imports.route import Way, joined, way, welds
+from derive.sheet.imports.told import Data, Told
+from derive.sheet.imports.urdf import TURNING, Joint, Model, Origin
+from derive.sheet.imports.values import EXACT, Value, degrees_of, moment, written, written_angle
+
+GRAVITY: Data = ["0", "0", "-9.81 m/s^2"]
+ROUNDED = 1e-4  # rad: how far the angle meant may be from the one typed
+
+
+def arm(model: Model, base: str = "", tip: str = "", within: float = EXACT) -> Told:
+    """The robot as its YAML would hold it. Raises SheetErrors."""
+    along = way(model, base, tip)
+    told = Told(model.element)
+    rows = list(_rows(along))
+    if name := model.name:
+        told.put(name, model.element, "name")
+    bodies = [joined(welds(model, row.joint.child, along, within)) for row in rows]
+    told.doubts += _held(model, along)
+    heavy = any(body for body, _ in bodies) and not _driven(model, along, told)
+    if heavy:
+        told.put(GRAVITY, model.element, "gravity")
+    if rows[0].fixed:
+        told.put(_places(rows[0].fixed, within), rows[0].joint.element, "base")
+    variables = _Variables(rows, told)
+    for index, row in enumerate(rows):
+        before = [*(row.fixed if index else ()), row.joint.origin]
+        motion = [*_places(before, within), _own(row.joint, variables.by(row.joint), within)]
+        told.put(motion, row.joint.element, "links", index, "motion")
+        body, element = bodies[index]
+        if heavy:
+            _put_body(told, index, body, element or row.joint.element)
+        _put_joint(told, index, row.joint, variables, within)
+        told.notes.append(row.joint.name)
+    if end := [joint.origin for joint in along.joints[along.joints.index(rows[-1].joint) + 1 :]]:
+        if moves := _places(end, within):
+            told.put(moves, along.joints[-1].element, "tool")
+    told.doubts += _nearly(along, within)
+    told.title = f"{along.joints[0].parent} to {along.tip}"
+    return told
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    """A joint that moves, and the fixed frames that come before its own."""
+
+    joint: Joint
+    fixed: tuple[Origin, ...]
+
+
+def _rows(along: Way) -> Iterator[_Row]:
+    fixed: list[Origin] = []
+    for joint in along.joints:
+        if joint.moves:
+            yield _Row(joint, tuple(fixed))
+            fixed = []
+        else:
+            fixed.append(joint.origin)
+
+
+def _places(origins: list[Origin] | tuple[Origin, ...], within: float) -> list[Data]:
+    """Frames one after the other as moves about current axes: displacements, then yaw, pitch and roll."""
+    merged: list[Origin] = []
+    for origin in origins:
+        if merged and not any(merged[-1].rpy):
+            origin = Origin(added(merged.pop().xyz, origin.xyz), origin.rpy)
+        merged.append(origin)
+    return [move for origin in merged for move in _moves(origin, within)]
+
+
+def _moves(origin: Origin, within: float) -> Iterator[Data]:
+    for axis, length in zip("xyz", origin.xyz, strict=True):
+        if (text := written(length, "m")) != "0":
+            yield {"translate": axis, "by": text}
+    for axis, angle in zip("zyx", reversed(origin.rpy), strict=True):
+        if (text := written_angle(angle, within)) != "0":
+            yield {"rotate": axis, "by": text}
+
+
+def _own(joint: Joint, by: str, within: float) -> Data:
+    """The move of a joint itself; about a negative axis the other way."""
+    kind = "rotate" if joint.type in TURNING else "translate"
+    size = max(map(abs, joint.axis))
+    near = [round(entry / size) for entry in joint.axis]
+    aligned = all(abs(entry / size - whole) <= within for entry, whole in zip(joint.axis, near, strict=True))
+    if not aligned or sum(map(abs, near)) != 1:
+        return {kind: [written(entry) for entry in joint.axis], "by": by}
+    k = near.index(1) if 1 in near else near.index(-1)
+    if near[k] > 0:
+        return {kind: "xyz"[k], "by": by}
+    return {kind: "xyz"[k], "by": f"-{by}" if " " not in by else f"-({by})"}
+
+
+class _Variables:
+    """The names of the joint variables, and what the joints that follow others are moved by."""
+
+    def __init__(self, rows: list[_Row], told: Told) -> None:
+        self.joints = {row.joint.name: row.joint for row in rows}
+        letters = {True: "theta", False: "d"}
+        self.names = {
+            row.joint.name: f"{letters[row.joint.type in TURNING]}{k}" for k, row in enumerate(rows, 1)
+        }
+        for joint in self.joints.values():
+            if joint.mimic and joint.mimic.joint not in self.joints:
+                message = f"joint '{joint.name}' follows '{joint.mimic.joint}', which is no joint of this arm"
+                told.doubts.append(joint.mimic.element.fault(message, "it moves by itself here"))
+
+    def follows(self, joint: Joint) -> bool:
+        """Whether a joint has no variable of its own."""
+        return joint.mimic is not None and joint.mimic.joint in self.joints
+
+    def by(self, joint: Joint) -> str:
+        """What a joint is moved by. Raises SheetErrors where joints follow each other in a circle."""
+        if not self.follows(joint):
+            return f"{self.names[joint.name]}*"
+        ratio, offset, seen = Fraction(1), Fraction(0), {joint.name}
+        turning = joint.type in TURNING
+        unit = "rad" if turning else "m"
+        element = joint.element
+        while joint.mimic is not None and self.follows(joint):
+            element = joint.mimic.element
+            offset += ratio * joint.mimic.offset
+            ratio *= joint.mimic.multiplier
+            joint = self.joints[joint.mimic.joint]
+            if joint.name in seen:
+                raise element.error(f"joint '{joint.name}' follows itself")
+            seen.add(joint.name)
+        name = self.names[joint.name]
+        scaled = {"1": name, "-1": f"-{name}"}.get(written(ratio), f"{written(ratio)}*{name}")
+        shift = written_angle(offset) if turning else written(offset, unit)
+        if ratio == 0:
+            return shift
+        return scaled if shift == "0" else f"{scaled} + {shift}".replace("+ -", "- ")
+
+
+def _nearly(along: Way, within: float) -> Iterator[SheetError]:
+    """Whether angles were rounded: the first that is nearly a simple one, and no nearer than its digits."""
+    for joint in along.joints:
+        for angle in joint.origin.rpy:
+            near = degrees_of(angle, ROUNDED)
+            if near is not None and near % 15 == 0 and degrees_of(angle, within) is None:
+                message = f"{written(angle)} is {near} degrees to the digits given, and is taken as it stands"
+                hint = "to take such angles for exact ones: derive import FILE --within 1e-4"
+                yield (joint.element.one("origin") or joint.element).fault(message, hint, "rpy")
+                return
+
+
+def _held(model: Model, along: Way) -> list[SheetError]:
+    """What is said of the joints beside the arm."""
+    return [
+        joint.element.fault(
+            f"joint '{joint.name}' is not on the way to '{along.tip}'",
+            "it is held at zero, and what hangs on it belongs to the link that carries it",
+        )
+        for joint in along.beside
+    ]
+
+
+def _driven(model: Model, along: Way, told: Told) -> bool:
+    """Whether a joint beside the arm moves with one of the arm, so that what hangs on it is welded to nothing."""
+    names = {joint.name for joint in along.joints if joint.moves}
+    for joint in along.beside:
+        if joint.mimic and joint.mimic.joint in names:
+            message = f"joint '{joint.name}' moves with '{joint.mimic.joint}', beside the arm"
+            told.doubts.append(joint.mimic.element.fault(message, "the bodies of the arm are left out"))
+            return True
+    return False
+
+
+def _put_body(told: Told, index: int, body: Mass | None, element: Element) -> None:
+    mass = body or Mass(Fraction(0), ORIGIN, (ORIGIN, ORIGIN, ORIGIN))
+    told.put(written(mass.mass, "kg"), element, "links", index, "mass")
+    told.put([written(entry, "m") for entry in mass.com], element, "links", index, "com")
+    told.put(_inertia(mass), element, "links", index, "inertia")
+
+
+def _inertia(mass: Mass) -> Data:
+    (xx, xy, xz), (_, yy, yz), (_, _, zz) = mass.inertia
+    if not any((xx, yy, zz, xy, yz, xz)):
+        return "point"
+    mixed: tuple[Value, ...] = (xy, yz, xz)
+    return [moment(each) for each in (xx, yy, zz, *(mixed if any(mixed) else ()))]
+
+
+def _put_joint(told: Told, index: int, joint: Joint, variables: _Variables, within: float) -> None:
+    if joint.limits and not variables.follows(joint):
+        unit = "m" if joint.type == "prismatic" else "rad"
+        limits = [written_angle(each, within) if unit == "rad" else written(each, unit) for each in joint.limits]
+        told.put(limits, joint.element.one("limit") or joint.element, "links", index, "range")
+    friction: dict[str, Data] = {}
+    if joint.damping:
+        friction["viscous"] = written(joint.damping)
+    if joint.friction:
+        friction["coulomb"] = written(joint.friction)
+    if friction and not variables.follows(joint):
+        told.put(friction, joint.element.one("dynamics") or joint.element, "links", index, "friction")

@@ -1,0 +1,77 @@
+"""Numbers of other programs, as a sheet writes them: simple angles in degrees, the rest with the digits it has."""
+
+from __future__ import annotations
+
+import math
+from decimal import Decimal, InvalidOperation
+from fractions import Fraction
+from typing import TypeAlias
+
+Value: TypeAlias = Fraction | float  # exact as long as it can be
+
+NOISE = 1e-12  # what is smaller is what an exporter's rounding left of a zero
+EXACT = 1e-9  # an angle this near to a simple one (rad) is that one
+
+
+def exact(text: str) -> Fraction:
+    """The value of a decimal number. Raises ValueError for what is none, or beyond any length or mass."""
+    if len(text) > 60:
+        raise ValueError(text)
+    try:
+        value = Decimal(text)
+    except InvalidOperation as error:
+        raise ValueError(text) from error
+    if not value.is_finite() or abs(value.adjusted()) > 40 and value != 0:
+        raise ValueError(text)
+    return Fraction(value)
+
+
+def written(value: Value, unit: str = "") -> str:
+    """A number with its unit; a zero has none."""
+    if abs(value) < NOISE:
+        return "0"
+    text = _decimal(value) if isinstance(value, Fraction) else repr(float(value))
+    return f"{text} {unit}".rstrip()
+
+
+def moment(value: Value) -> str:
+    """An element of an inertia matrix: they may be small, and none is noise."""
+    if value == 0:
+        return "0"
+    return (_decimal(value) if isinstance(value, Fraction) else repr(float(value))) + " kg m^2"
+
+
+def _decimal(value: Fraction) -> str:
+    rest = value.denominator
+    for prime in (2, 5):
+        while rest % prime == 0:
+            rest //= prime
+    if rest == 1:
+        text = f"{Decimal(value.numerator) / Decimal(value.denominator):f}"
+        if Fraction(text) == value and len(text) < 24:
+            return text.rstrip("0").rstrip(".") if "." in text else text
+    return repr(float(value))
+
+
+def degrees_of(angle: Value, within: float = EXACT) -> Fraction | None:
+    """A whole or half number of degrees that an angle (rad) is, None where it is no such."""
+    halves = round(math.degrees(float(angle)) * 2)
+    return Fraction(halves, 2) if abs(float(angle) - math.radians(halves / 2)) <= within else None
+
+
+def written_angle(angle: Value, within: float = EXACT) -> str:
+    """An angle (rad), in degrees where it is a simple one."""
+    found = degrees_of(angle, within)
+    if found is None:
+        return written(angle, "rad")
+    return f"{_decimal(found)} deg" if found else "0"
+
+
+def cosine_and_sine(angle: Value, within: float = EXACT) -> tuple[Value, Value]:
+    """Of an angle (rad): exact for quarters of a turn."""
+    found = degrees_of(angle, within)
+    if found is not None and found % 90 == 0:
+        k = int(found // 90) % 4
+        return Fraction((1, 0, -1, 0)[k]), Fraction((0, 1, 0, -1)[k])
+    precise = float(angle) if found is None else math.radians(found)
+    return math.cos(precise), math.sin(precise)
