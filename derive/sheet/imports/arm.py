@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-from derive.errors import SheetError
+from derive.errors import SheetError, how_many
 from derive.sheet.imports.elements import Element
 from derive.sheet.imports.rigid import ORIGIN, Mass, added
 from derive.sheet.imports.route import Way, joined, way, welds
@@ -27,7 +27,7 @@ def arm(model: Model, base: str = "", tip: str = "", within: float = EXACT) -> T
     if name := model.name:
         told.put(name, model.element, "name")
     bodies = [joined(welds(model, row.joint.child, along, within)) for row in rows]
-    told.doubts += _held(model, along)
+    told.doubts += _held(along)
     heavy = any(body for body, _ in bodies) and not _driven(model, along, told)
     if heavy:
         told.put(GRAVITY, model.element, "gravity")
@@ -156,15 +156,15 @@ def _nearly(along: Way, within: float) -> Iterator[SheetError]:
                 return
 
 
-def _held(model: Model, along: Way) -> list[SheetError]:
+def _held(along: Way) -> list[SheetError]:
     """What is said of the joints beside the arm."""
-    return [
-        joint.element.fault(
-            f"joint '{joint.name}' is not on the way to '{along.tip}'",
-            "it is held at zero, and what hangs on it belongs to the link that carries it",
-        )
-        for joint in along.beside
-    ]
+    if not along.beside:
+        return []
+    first, *more = along.beside
+    others = f" and {how_many(len(more), 'other')}" if more else ""
+    message = f"joint '{first.name}'{others} {'are' if more else 'is'} not on the way to '{along.tip}'"
+    hint = "held at zero, and what hangs there belongs to the link that carries it; else name --tip"
+    return [first.element.fault(message, hint)]
 
 
 def _driven(model: Model, along: Way, told: Told) -> bool:

@@ -43,8 +43,7 @@ def way(model: Model, base: str = "", tip: str = "") -> Way:
             raise model.element.error(f"link '{base}' is not on the way to '{tip or path[-1].child}'")
         path = path[start:]
     if not any(joint.moves for joint in path):
-        hint = "name its end: derive import FILE --tip " + (_ends(model) or "LINK")
-        raise model.element.error("no joint moves on the way to the end of the arm", hint)
+        raise model.element.error("no joint moves on the way to the end of the arm")
     taken = {joint.child for joint in path}
     first = path[0].parent
     beside = tuple(
@@ -60,11 +59,15 @@ def _longest(model: Model, base: str) -> tuple[Joint, ...]:
     paths = [path for leaf in leaves if _through(path := model.path(leaf), base, model)]
     most = max((_moving(path) for path in paths), default=0)
     longest = [path for path in paths if _moving(path) == most]
-    if not longest:
+    if not longest or not most:
         return ()
     shared = longest[0]
     for path in longest[1:]:
         shared = tuple(a for a, b in zip(shared, path, strict=False) if a is b)
+    if 2 * _moving(shared) <= most:
+        ends = " or ".join(f"--tip {path[-1].child}" for path in longest[:4])
+        hint = f"say where the arm ends: derive import FILE {ends}"
+        raise model.element.error("this robot has several arms", hint)
     return shared
 
 
@@ -74,12 +77,6 @@ def _through(path: tuple[Joint, ...], base: str, model: Model) -> bool:
 
 def _moving(path: tuple[Joint, ...]) -> int:
     return sum(joint.moves for joint in path)
-
-
-def _ends(model: Model) -> str:
-    """The ends that joints lead to."""
-    leaves = [link for link in model.links if not model.children(link) and _moving(model.path(link))]
-    return " or ".join(leaves[:4])
 
 
 def _hangs_on(model: Model, joint: Joint, taken: set[str], first: str) -> bool:

@@ -21,9 +21,9 @@ def exact(text: str) -> Fraction:
         value = Decimal(text)
     except InvalidOperation as error:
         raise ValueError(text) from error
-    if not value.is_finite() or abs(value.adjusted()) > 40 and value != 0:
+    if not value.is_finite() or value.adjusted() > 30:
         raise ValueError(text)
-    return Fraction(value)
+    return Fraction(value) if value.adjusted() > -40 else Fraction(0)
 
 
 def written(value: Value, unit: str = "") -> str:
