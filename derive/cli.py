@@ -296,6 +296,17 @@ def new(name: str, kind: str | None) -> None:
         say(str(target))
 
 
+def _packages(ctx: click.Context, option: click.Parameter, value: tuple[str, ...]) -> dict[str, Path]:
+    """ROS packages and their folders."""
+    found = {}
+    for pair in value:
+        name, sign, folder = pair.partition("=")
+        if not sign or not Path(folder).is_dir():
+            raise click.BadParameter(f"'{pair}' is not NAME=DIR with a directory that is there")
+        found[name] = Path(folder)
+    return found
+
+
 @main.command("import")
 @click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @click.option("--base", default="", metavar="LINK", help="Where the arm begins; else the root.")
@@ -303,15 +314,48 @@ def new(name: str, kind: str | None) -> None:
 @click.option(
     "--within", default=1e-9, show_default=True, help="Angles (rad) this near to a simple one are that one."
 )
-def import_(file: Path, base: str, tip: str, within: float) -> None:
+@click.option(
+    "--package", "packages", multiple=True, callback=_packages, metavar="NAME=DIR", help="Where a ROS package is."
+)
+def import_(file: Path, base: str, tip: str, within: float, packages: dict[str, Path]) -> None:
     """Print a robot of URDF or xacro, or a table of CSV, as YAML."""
-    from derive.sheet.imports.files import imported
+    from derive.sheet.exchange.files import Wish, imported
 
     with guarded():
-        told = imported(file, base, tip, within)
+        told = imported(file, Wish(base, tip, within, packages))
         for doubt in told.doubts:
             warn(doubt)
         page(told.yaml())
+
+
+def _values(ctx: click.Context, option: click.Parameter, value: tuple[str, ...]) -> dict[str, float]:
+    """Names and their values, units included, in SI units."""
+    from derive.algebra.formulas.grammar import parse
+    from derive.algebra.numbers.floats import number
+
+    found = {}
+    for pair in value:
+        name, _, typed = pair.partition("=")
+        try:
+            found[name.strip()] = number(parse(typed, dimension="any"), {})
+        except (ValueError, KeyError, ArithmeticError) as error:
+            raise click.BadParameter(f"'{pair}' is not NAME=VALUE: {error}") from error
+    return found
+
+
+@main.command()
+@click.argument("robot", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option("--to", "form", type=click.Choice(["urdf"]), required=True)
+@click.option("--value", "values", multiple=True, callback=_values, metavar="NAME=VALUE", help="Of a symbol.")
+def export(robot: Path, form: str, values: dict[str, float]) -> None:
+    """Print a robot's file as URDF."""
+    from derive.sheet.exchange.files import exported
+
+    with guarded():
+        text, left_out = exported(robot, values)
+        for each in left_out:
+            warn(each)
+        page(text)
 
 
 @main.command()

@@ -11,7 +11,7 @@ from derive.kinds.registry import kinds_of
 from derive.kinds.registry import load as kind
 from derive.sheet.checked import checked
 from derive.sheet.faults import MOST, did_you_mean
-from derive.sheet.imports.files import ENDINGS, imported
+from derive.sheet.exchange.files import ENDINGS, imported
 from derive.sheet.reader import read
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known, load, subjects

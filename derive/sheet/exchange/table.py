@@ -10,8 +10,8 @@ from pathlib import Path
 
 from derive.errors import SheetError, SheetErrors
 from derive.sheet.faults import did_you_mean
-from derive.sheet.imports.elements import Element
-from derive.sheet.imports.told import Data, Told
+from derive.sheet.exchange.elements import Element
+from derive.sheet.exchange.told import Data, Told
 from derive.sheet.source import Faults, Source, Spot
 
 ROWS = ("theta", "d", "a", "alpha")
@@ -60,7 +60,7 @@ class Row:
 
 def table(text: str, path: Path) -> Told:
     """The robot in a table. Raises SheetErrors with every fault of it."""
-    from derive.sheet.imports.screw_table import screw
+    from derive.sheet.exchange.screw_table import screw
 
     lines = tuple(text.split("\n"))
     source = Source(path, None, {(): Spot(0, 0)}, lines)

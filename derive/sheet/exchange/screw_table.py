@@ -5,11 +5,11 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from derive.sheet.imports.told import Data, Told
-from derive.sheet.imports.values import exact, written
+from derive.sheet.exchange.told import Data, Told
+from derive.sheet.exchange.values import exact, written
 
 if TYPE_CHECKING:
-    from derive.sheet.imports.table import Row
+    from derive.sheet.exchange.table import Row
 
 OMEGA, V = ("wx", "wy", "wz"), ("vx", "vy", "vz")
 UNIT = 1e-3  # a rounded direction has a length this near to 1

@@ -30,15 +30,17 @@ def written(value: Value, unit: str = "") -> str:
     """A number with its unit; a zero has none."""
     if abs(value) < NOISE:
         return "0"
-    text = _decimal(value) if isinstance(value, Fraction) else repr(float(value))
-    return f"{text} {unit}".rstrip()
+    return f"{plain(value)} {unit}".rstrip()
+
+
+def plain(value: Value) -> str:
+    """A number as it is, without a unit."""
+    return _decimal(value) if isinstance(value, Fraction) else repr(float(value))
 
 
 def moment(value: Value) -> str:
     """An element of an inertia matrix: they may be small, and none is noise."""
-    if value == 0:
-        return "0"
-    return (_decimal(value) if isinstance(value, Fraction) else repr(float(value))) + " kg m^2"
+    return f"{plain(value)} kg m^2" if value else "0"
 
 
 def _decimal(value: Fraction) -> str:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeVar
 
-from derive.sheet.imports.elements import Element
-from derive.sheet.imports.rigid import ORIGIN, Mass, Pose, Vector, product, rotation, transposed, vector
-from derive.sheet.imports.values import exact
+from derive.sheet.exchange.elements import Element
+from derive.sheet.exchange.rigid import ORIGIN, Mass, Pose, Vector, product, rotation, transposed, vector
+from derive.sheet.exchange.values import exact
 from derive.sheet.source import Faults
 
 TURNING = ("revolute", "continuous")

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from derive.errors import SheetError, how_many
-from derive.sheet.imports.elements import Element
-from derive.sheet.imports.rigid import ORIGIN, Mass, added
-from derive.sheet.imports.route import Way, joined, way, welds
-from derive.sheet.imports.told import Data, Told
-from derive.sheet.imports.urdf import TURNING, Joint, Model, Origin
-from derive.sheet.imports.values import EXACT, Value, degrees_of, moment, written, written_angle
+from derive.sheet.exchange.elements import Element
+from derive.sheet.exchange.rigid import ORIGIN, Mass, added
+from derive.sheet.exchange.route import Way, joined, way, welds
+from derive.sheet.exchange.told import Data, Told
+from derive.sheet.exchange.urdf import TURNING, Joint, Model, Origin
+from derive.sheet.range_faults import MOST
+from derive.sheet.exchange.values import EXACT, Value, degrees_of, moment, written, written_angle
 
 GRAVITY: Data = ["0", "0", "-9.81 m/s^2"]
 ROUNDED = 1e-4  # rad: how far the angle meant may be from the one typed
@@ -194,7 +195,8 @@ def _inertia(mass: Mass) -> Data:
 
 
 def _put_joint(told: Told, index: int, joint: Joint, variables: _Variables, within: float) -> None:
-    if joint.limits and not variables.follows(joint):
+    endless = joint.type in TURNING and max(map(abs, joint.limits or (0,))) > MOST
+    if joint.limits and not endless and not variables.follows(joint):
         unit = "m" if joint.type == "prismatic" else "rad"
         limits = [written_angle(each, within) if unit == "rad" else written(each, unit) for each in joint.limits]
         told.put(limits, joint.element.one("limit") or joint.element, "links", index, "range")

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import TypeAlias
 
 from derive.errors import SheetError
-from derive.sheet.imports.elements import Element
+from derive.sheet.exchange.elements import Element
 from derive.sheet.source import Route, Source, Spot
 
 Data: TypeAlias = "str | list[Data] | dict[str, Data]"

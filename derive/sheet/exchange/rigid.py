@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeAlias
 
-from derive.sheet.imports.values import EXACT, Value, cosine_and_sine
+from derive.sheet.exchange.values import EXACT, Value, cosine_and_sine
 
 Vector: TypeAlias = tuple[Value, Value, Value]
 Rows: TypeAlias = tuple[Vector, Vector, Vector]

@@ -8,10 +8,10 @@ from fractions import Fraction
 from math import asin, atan2
 
 from derive.sheet.faults import did_you_mean
-from derive.sheet.imports.elements import Element
-from derive.sheet.imports.rigid import Mass, Pose, Rows, Vector, rotation, seen_from, transposed, vector, welded
-from derive.sheet.imports.urdf import TURNING, Joint, Model
-from derive.sheet.imports.values import Value
+from derive.sheet.exchange.elements import Element
+from derive.sheet.exchange.rigid import Mass, Pose, Rows, Vector, rotation, seen_from, transposed, vector, welded
+from derive.sheet.exchange.urdf import TURNING, Joint, Model
+from derive.sheet.exchange.values import Value
 
 
 @dataclass(frozen=True, slots=True)
