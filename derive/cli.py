@@ -315,7 +315,12 @@ def _packages(ctx: click.Context, option: click.Parameter, value: tuple[str, ...
     "--within", default=1e-9, show_default=True, help="Angles (rad) this near to a simple one are that one."
 )
 @click.option(
-    "--package", "packages", multiple=True, callback=_packages, metavar="NAME=DIR", help="Where a ROS package is."
+    "--package",
+    "packages",
+    multiple=True,
+    callback=_packages,
+    metavar="NAME=DIR",
+    help="Where a ROS package is.",
 )
 def import_(file: Path, base: str, tip: str, within: float, packages: dict[str, Path]) -> None:
     """Print a robot of URDF or xacro, or a table of CSV, as YAML."""

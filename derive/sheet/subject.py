@@ -10,8 +10,8 @@ from derive.kinds.fields import described
 from derive.kinds.registry import kinds_of
 from derive.kinds.registry import load as kind
 from derive.sheet.checked import checked
-from derive.sheet.faults import MOST, did_you_mean
 from derive.sheet.exchange.files import ENDINGS, imported
+from derive.sheet.faults import MOST, did_you_mean
 from derive.sheet.reader import read
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known, load, subjects

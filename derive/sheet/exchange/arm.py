@@ -1,11 +1,12 @@
-"""The arm in a tree of links as the rows of a robot: each joint a free row, fixed joints merged into it, what is
-welded to a link one body with it, a joint that follows another coupled to it."""
+"""The arm in a tree of links as the rows of a robot: each joint a free row, fixed joints merged into it, what
+is welded to a link one body with it, a joint that follows another coupled to it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from math import fabs
 
 from derive.errors import SheetError, how_many
 from derive.sheet.exchange.elements import Element
@@ -13,8 +14,8 @@ from derive.sheet.exchange.rigid import ORIGIN, Mass, added
 from derive.sheet.exchange.route import Way, joined, way, welds
 from derive.sheet.exchange.told import Data, Told
 from derive.sheet.exchange.urdf import TURNING, Joint, Model, Origin
-from derive.sheet.range_faults import MOST
 from derive.sheet.exchange.values import EXACT, Value, degrees_of, moment, written, written_angle
+from derive.sheet.range_faults import MOST
 
 GRAVITY: Data = ["0", "0", "-9.81 m/s^2"]
 ROUNDED = 1e-4  # rad: how far the angle meant may be from the one typed
@@ -44,9 +45,9 @@ def arm(model: Model, base: str = "", tip: str = "", within: float = EXACT) -> T
             _put_body(told, index, body, element or row.joint.element)
         _put_joint(told, index, row.joint, variables, within)
         told.notes.append(row.joint.name)
-    if end := [joint.origin for joint in along.joints[along.joints.index(rows[-1].joint) + 1 :]]:
-        if moves := _places(end, within):
-            told.put(moves, along.joints[-1].element, "tool")
+    behind = [joint.origin for joint in along.joints[along.joints.index(rows[-1].joint) + 1 :]]
+    if moves := _places(behind, within):
+        told.put(moves, along.joints[-1].element, "tool")
     told.doubts += _nearly(along, within)
     told.title = f"{along.joints[0].parent} to {along.tip}"
     return told
@@ -92,15 +93,19 @@ def _moves(origin: Origin, within: float) -> Iterator[Data]:
 def _own(joint: Joint, by: str, within: float) -> Data:
     """The move of a joint itself; about a negative axis the other way."""
     kind = "rotate" if joint.type in TURNING else "translate"
-    size = max(map(abs, joint.axis))
-    near = [round(entry / size) for entry in joint.axis]
-    aligned = all(abs(entry / size - whole) <= within for entry, whole in zip(joint.axis, near, strict=True))
+    size = max(map(fabs, joint.axis))
+    near = [round(float(entry) / size) for entry in joint.axis]
+    aligned = all(
+        fabs(float(entry) / size - whole) <= within for entry, whole in zip(joint.axis, near, strict=True)
+    )
     if not aligned or sum(map(abs, near)) != 1:
         return {kind: [written(entry) for entry in joint.axis], "by": by}
     k = near.index(1) if 1 in near else near.index(-1)
     if near[k] > 0:
         return {kind: "xyz"[k], "by": by}
-    return {kind: "xyz"[k], "by": f"-{by}" if " " not in by else f"-({by})"}
+    if " " in by:
+        return {kind: "xyz"[k], "by": f"-({by})"}
+    return {kind: "xyz"[k], "by": by[1:] if by.startswith("-") else f"-{by}"}
 
 
 class _Variables:
@@ -169,7 +174,7 @@ def _held(along: Way) -> list[SheetError]:
 
 
 def _driven(model: Model, along: Way, told: Told) -> bool:
-    """Whether a joint beside the arm moves with one of the arm, so that what hangs on it is welded to nothing."""
+    """Whether a joint beside the arm moves with one of it, so that what hangs there is welded to nothing."""
     names = {joint.name for joint in along.joints if joint.moves}
     for joint in along.beside:
         if joint.mimic and joint.mimic.joint in names:
@@ -195,10 +200,12 @@ def _inertia(mass: Mass) -> Data:
 
 
 def _put_joint(told: Told, index: int, joint: Joint, variables: _Variables, within: float) -> None:
-    endless = joint.type in TURNING and max(map(abs, joint.limits or (0,))) > MOST
+    endless = joint.type in TURNING and max(map(fabs, joint.limits or (0,))) > MOST
     if joint.limits and not endless and not variables.follows(joint):
         unit = "m" if joint.type == "prismatic" else "rad"
-        limits = [written_angle(each, within) if unit == "rad" else written(each, unit) for each in joint.limits]
+        limits: Data = [
+            written_angle(each, within) if unit == "rad" else written(each, unit) for each in joint.limits
+        ]
         told.put(limits, joint.element.one("limit") or joint.element, "links", index, "range")
     friction: dict[str, Data] = {}
     if joint.damping:

@@ -16,7 +16,7 @@ MAX_DEPTH = 100
 
 @dataclass(frozen=True, slots=True)
 class Element:
-    """A tag, its attributes and what stands in it; `line` and `column` count from 0. `file` is what it stands in."""
+    """A tag, its attributes and what stands in it; `line` and `column`, in its `file`, count from 0."""
 
     tag: str
     attributes: dict[str, str]

@@ -18,8 +18,8 @@ MAX_BYTES = 5_000_000
 
 @dataclass(frozen=True, slots=True)
 class Wish:
-    """How a description is to be read: the links between which the arm is; how near to a simple angle one is that
-    angle (rad); where ROS packages are."""
+    """How a description is to be read: the links between which the arm is; how near to a simple angle (rad)
+    one is taken for it; where ROS packages are."""
 
     base: str = ""
     tip: str = ""
@@ -37,7 +37,8 @@ def imported(path: Path, wish: Wish = Wish()) -> Told:
     from derive.sheet.exchange.elements import elements
     from derive.sheet.exchange.urdf import model
 
-    root, missing = elements(text_of(path), path), []
+    root = elements(text_of(path), path)
+    missing: list[SheetError] = []
     if any(name == "xmlns:xacro" for name in root.attributes):
         from derive.sheet.exchange.xacro import expanded
 
@@ -58,7 +59,9 @@ def text_of(path: Path) -> str:
             raise SheetErrors([SheetError(f"{path}: the file is larger than 5 MB")])
         return content.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
-        raise SheetErrors([SheetError(f"{path}: the file is not UTF-8 text", None, "save it as UTF-8")]) from error
+        raise SheetErrors(
+            [SheetError(f"{path}: the file is not UTF-8 text", None, "save it as UTF-8")]
+        ) from error
     except OSError as error:
         raise SheetErrors([SheetError(f"{path}: {error.strerror or error}")]) from error
 

@@ -1,5 +1,5 @@
-"""The rows of a robot as frames of URDF, in numbers: where each joint stands behind the link before it, about which
-axis it moves, and what stands between it and the frame of its row."""
+"""The rows of a robot as frames of URDF, in numbers: where each joint stands behind the link before it, about
+which axis it moves, and what stands between it and the frame of its row."""
 
 from __future__ import annotations
 

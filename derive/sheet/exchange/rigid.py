@@ -90,9 +90,7 @@ def rotation(rpy: Vector, within: float = EXACT) -> Rows:
 
 def seen_from(pose: Pose, body: Mass) -> Mass:
     """A body given in a frame, in the frame in which that one stands."""
-    return Mass(
-        body.mass, pose.of(body.com), product(product(pose.R, body.inertia), transposed(pose.R))
-    )
+    return Mass(body.mass, pose.of(body.com), product(product(pose.R, body.inertia), transposed(pose.R)))
 
 
 def welded(bodies: Sequence[Mass]) -> Mass | None:
@@ -103,7 +101,9 @@ def welded(bodies: Sequence[Mass]) -> Mass | None:
     mass = sum((body.mass for body in heavy), start=Fraction(0))
     moment = [sum((body.mass * body.com[i] for body in heavy), start=Fraction(0)) for i in range(3)]
     com = vector(each / mass for each in moment) if mass else ORIGIN
-    inertia = [[Fraction(0) + sum(_about(com, body)[i][j] for body in heavy) for j in range(3)] for i in range(3)]
+    inertia = [
+        [Fraction(0) + sum(_about(com, body)[i][j] for body in heavy) for j in range(3)] for i in range(3)
+    ]
     return Mass(mass, com, rows(inertia))
 
 

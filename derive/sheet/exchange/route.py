@@ -1,4 +1,4 @@
-"""Which links of a tree are the arm: the way from the root to its end, and what is welded to each link of it."""
+"""Which links of a tree are the arm: the way from the root to its end, and what is welded to each of them."""
 
 from __future__ import annotations
 
@@ -7,11 +7,21 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import asin, atan2
 
-from derive.sheet.faults import did_you_mean
 from derive.sheet.exchange.elements import Element
-from derive.sheet.exchange.rigid import Mass, Pose, Rows, Vector, rotation, seen_from, transposed, vector, welded
+from derive.sheet.exchange.rigid import (
+    Mass,
+    Pose,
+    Rows,
+    Vector,
+    rotation,
+    seen_from,
+    transposed,
+    vector,
+    welded,
+)
 from derive.sheet.exchange.urdf import TURNING, Joint, Model
 from derive.sheet.exchange.values import Value
+from derive.sheet.faults import did_you_mean
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,8 +40,8 @@ class Way:
 
 
 def way(model: Model, base: str = "", tip: str = "") -> Way:
-    """The way to `tip`; else to the end of most moving joints, and where several ends have as many to the last
-    link that is on the way to all of them. Raises SheetErrors."""
+    """The way to `tip`; else to the end of most moving joints, and where several ends have as many, to the
+    last link that is on the way to all of them. Raises SheetErrors."""
     for name in filter(None, (base, tip)):
         if name not in model.links:
             hint = did_you_mean(name, tuple(model.links), "there are")
@@ -100,7 +110,7 @@ def welds(model: Model, link: str, along: Way, within: float) -> Iterator[tuple[
 
 
 def at_rest(joint: Joint, within: float) -> Pose:
-    """The frame of the link to which a joint leads, in that where it starts: the joint at zero, or at its offset."""
+    """The frame of the link to which a joint leads, in that where it starts: at zero, or at its offset."""
     pose = joint.origin.pose(within)
     return pose @ _moved(joint, joint.mimic.offset, within) if joint.mimic and joint.mimic.offset else pose
 
@@ -127,5 +137,3 @@ def joined(bodies: Iterator[tuple[Mass, Element]]) -> tuple[Mass | None, Element
     """Bodies of one frame as one, and the place of the first."""
     found = list(bodies)
     return welded([mass for mass, _ in found]), next((element for _, element in found), None)
-
-

@@ -1,8 +1,9 @@
-"""Screw axes [omega, v] as Lynch and Park list them, Modern Robotics, section 4.1: v = -omega x q + h omega."""
+"""Screw axes [omega, v] as Lynch and Park list them (Modern Robotics, section 4.1): v = -omega x q + h omega."""
 
 from __future__ import annotations
 
 from fractions import Fraction
+from math import fabs
 from typing import TYPE_CHECKING
 
 from derive.sheet.exchange.told import Data, Told
@@ -26,9 +27,11 @@ def screw(told: Told, index: int, row: Row) -> None:
         told.put(f"d{index + 1}*", element, "links", index, "variable")
         return
     square = sum(each * each for each in omega)
-    if abs(square - 1) > UNIT:
+    if fabs(square - 1) > UNIT:
         raise element.error("omega is a unit vector, or zero where a joint slides")
-    through = [_sum([(omega[j] / square, v[k]), (-omega[k] / square, v[j])]) for j, k in ((1, 2), (2, 0), (0, 1))]
+    through = [
+        _sum([(omega[j] / square, v[k]), (-omega[k] / square, v[j])]) for j, k in ((1, 2), (2, 0), (0, 1))
+    ]
     axis: dict[str, Data] = {"axis": [written(each) for each in omega], "through": list(through)}
     pitch = _sum([(a / square, b) for a, b in zip(omega, v, strict=True)])
     if not _nothing(pitch, v):
@@ -77,5 +80,5 @@ def _product(factor: Fraction, text: str) -> str:
 def _nothing(pitch: str, v: list[str]) -> bool:
     """Whether a pitch is zero, or what rounding left of it."""
     value = _value(pitch)
-    sizes = [abs(each) for each in map(_value, v) if each is not None]
-    return value is not None and abs(value) <= UNIT * max(sizes, default=Fraction(0))
+    sizes = [fabs(each) for each in map(_value, v) if each is not None]
+    return value is not None and fabs(value) <= UNIT * max(sizes, default=0.0)

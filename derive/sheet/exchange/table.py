@@ -1,4 +1,4 @@
-"""A table in CSV as a robot: a row a joint, with the columns of Denavit-Hartenberg parameters or of a screw."""
+"""A table in CSV as a robot: a row a joint, its columns Denavit-Hartenberg parameters or those of a screw."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from derive.errors import SheetError, SheetErrors
-from derive.sheet.faults import did_you_mean
 from derive.sheet.exchange.elements import Element
 from derive.sheet.exchange.told import Data, Told
+from derive.sheet.faults import did_you_mean
 from derive.sheet.source import Faults, Source, Spot
 
 ROWS = ("theta", "d", "a", "alpha")

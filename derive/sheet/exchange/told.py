@@ -1,4 +1,4 @@
-"""The data of a robot as a YAML file would hold it, each part with its place in the file that it came from."""
+"""The data of a robot as a YAML file would hold it, each part with its place in the file it came from."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def flow(value: Data) -> str:
             return f"[{', '.join(map(flow, value))}]"
         case dict():
             return "{" + ", ".join(f"{key}: {flow(each)}" for key, each in value.items()) + "}"
-    plain = PLAIN.fullmatch(value) and value == value.strip() and not value.startswith(("- ", "-.")) 
+    plain = PLAIN.fullmatch(value) and value == value.strip() and not value.startswith(("- ", "-."))
     return value if plain else json.dumps(value, ensure_ascii=False)
 
 

@@ -119,9 +119,7 @@ def model(root: Element) -> Model:
             faults.append(joint.element.need("child").fault(message, "an open chain has no loops", "link"))
         leading.setdefault(joint.child, joint)
     faults.settle()
-    return Model(
-        root.attributes.get("name", "").strip(), _base(root, links, leading), links, leading, root
-    )
+    return Model(root.attributes.get("name", "").strip(), _base(root, links, leading), links, leading, root)
 
 
 def _base(root: Element, links: dict[str, Inertial | None], leading: dict[str, Joint]) -> str:
@@ -223,5 +221,3 @@ def _value(element: Element, name: str, typed: str) -> Fraction:
     except ValueError:
         message = f"'{typed[:40]}' is no number" + (" of this size" if typed[:1].isdigit() else "")
         raise element.error(message, attribute=name) from None
-
-

@@ -1,4 +1,4 @@
-"""Numbers of other programs, as a sheet writes them: simple angles in degrees, the rest with the digits it has."""
+"""Numbers of other programs, as a sheet writes them: simple angles in degrees, the rest with its own digits."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def exact(text: str) -> Fraction:
 
 def written(value: Value, unit: str = "") -> str:
     """A number with its unit; a zero has none."""
-    if abs(value) < NOISE:
+    if math.fabs(value) < NOISE:
         return "0"
     return f"{plain(value)} {unit}".rstrip()
 

@@ -1,5 +1,5 @@
-"""Xacro expanded to URDF: properties, arguments, macros with blocks, conditions, files included. Counted, so that no
-file can grow without end; what is only seen (visual, collision, gazebo, ...) is left out unread."""
+"""Xacro expanded to URDF: properties, arguments, macros with blocks, conditions, files included. Counted, so that
+no file can grow without end; what is only seen (visual, collision, gazebo, ...) is left out unread."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from derive.errors import SheetError
-from derive.sheet.faults import did_you_mean
 from derive.sheet.exchange.elements import MAX_ELEMENTS, Element
 from derive.sheet.exchange.values import plain
 from derive.sheet.exchange.xacro_values import Given, NoValue, said, value
+from derive.sheet.faults import did_you_mean
 
 PREFIX = "xacro:"
 SEEN_ONLY = frozenset(
@@ -58,13 +58,14 @@ class Scope:
         return self if self.outer is None else self.outer.top
 
 
-def expanded(
-    root: Element, read: Read, packages: Mapping[str, Path]
-) -> tuple[Element, list[SheetError]]:
-    """The description as plain URDF, and which files were not found; `packages` are the folders of ROS packages
-    that stand elsewhere. Raises SheetErrors."""
+def expanded(root: Element, read: Read, packages: Mapping[str, Path]) -> tuple[Element, list[SheetError]]:
+    """The description as plain URDF, and which files were not found; `packages` are the folders of ROS
+    packages that stand elsewhere. Raises SheetErrors."""
     expanding = _Expanding(read, packages)
     children = list(expanding.all(root.children, Scope(), 0))
+    if expanding.macros and not any(child.tag == "link" for child in children):
+        hint = "import the file that calls them"
+        raise root.error("this file holds macros, and no link stands outside of them", hint)
     return replace(root, children=children), expanding.doubts
 
 
@@ -88,7 +89,9 @@ class _Expanding:
             raise element.error("this grows too large: macros or files call each other")
         if not element.tag.startswith(PREFIX):
             if element.tag not in SEEN_ONLY:
-                attributes = {name: self.text(text, element, scope, name) for name, text in element.attributes.items()}
+                attributes = {
+                    name: self.text(text, element, scope, name) for name, text in element.attributes.items()
+                }
                 children = list(self.all(element.children, scope, depth))
                 yield replace(element, attributes=attributes, children=children)
             return
@@ -115,7 +118,9 @@ class _Expanding:
 
     def property(self, element: Element, scope: Scope) -> None:
         name = element.text("name")
-        kept = {"parent": scope.outer or scope, "global": scope.top}.get(element.attributes.get("scope", ""), scope)
+        kept = {"parent": scope.outer or scope, "global": scope.top}.get(
+            element.attributes.get("scope", ""), scope
+        )
         if element.children:
             kept.blocks[name] = element.children
             return
@@ -129,7 +134,13 @@ class _Expanding:
         typed = element.text("filename")
         path = self.found(typed, element, scope)
         if path is None:
-            self.doubts.append(element.fault(f"there is no file {typed}", "it is left out; a package stands elsewhere: --package NAME=DIR", "filename"))
+            self.doubts.append(
+                element.fault(
+                    f"there is no file {typed}",
+                    "it is left out; a package stands elsewhere: --package NAME=DIR",
+                    "filename",
+                )
+            )
             return
         yield from self.all(self.read(path).children, scope, depth + 1)
 
@@ -143,7 +154,9 @@ class _Expanding:
             paths = [folder / self.text(package[2], element, scope, "filename") for folder in folders]
         else:
             paths = [here / self.text(typed, element, scope, "filename")]
-        return next((path for path in paths if path.suffix in (".xacro", ".urdf", ".xml") and path.is_file()), None)
+        return next(
+            (path for path in paths if path.suffix in (".xacro", ".urdf", ".xml") and path.is_file()), None
+        )
 
     def call(self, name: str, element: Element, scope: Scope, depth: int) -> Iterator[Element]:
         if (macro := self.macros.get(name)) is None:
@@ -247,12 +260,13 @@ class _Expanding:
 
 def _parameters(text: str) -> list[str]:
     """Words; a default may hold blanks in quotes or braces."""
-    return [found[0].replace(" := ", ":=") for found in re.finditer(r"(?:'[^']*'|\"[^\"]*\"|\$\{[^}]*\}|\S)+", text)]
+    return [
+        found[0].replace(" := ", ":=")
+        for found in re.finditer(r"(?:'[^']*'|\"[^\"]*\"|\$\{[^}]*\}|\S)+", text)
+    ]
 
 
 def _written(each: Given) -> str:
     if isinstance(each, bool):
         return str(each)
     return each if isinstance(each, str) else plain(each)
-
-

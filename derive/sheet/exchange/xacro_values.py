@@ -1,5 +1,5 @@
-"""What stands in ${...} of a xacro file: arithmetic, comparisons and strings, and nothing that Python could be asked
-to do beside them. Decimals stay exact."""
+"""What stands in ${...} of a xacro file: arithmetic, comparisons and strings, and nothing that Python could be
+asked to do beside them. Decimals stay exact."""
 
 from __future__ import annotations
 
@@ -18,7 +18,20 @@ Lookup: TypeAlias = Callable[[str], Given]
 LONGEST = 2000  # characters of an expression
 FUNCTIONS: dict[str, Callable[..., float]] = {
     name: getattr(math, name)
-    for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "radians", "degrees", "floor", "ceil")
+    for name in (
+        "sin",
+        "cos",
+        "tan",
+        "asin",
+        "acos",
+        "atan",
+        "atan2",
+        "sqrt",
+        "radians",
+        "degrees",
+        "floor",
+        "ceil",
+    )
 } | {"abs": abs, "min": min, "max": max, "float": float, "int": int}
 CONSTANTS: dict[str, Given] = {"pi": math.pi, "True": True, "False": False, "true": True, "false": False}
 ARITHMETIC: dict[type[ast.operator], Callable[..., Given]] = {
@@ -82,7 +95,7 @@ class _Walk:
             case ast.UnaryOp(op=ast.Not(), operand=operand):
                 return not self.value(operand)
             case ast.BinOp(left=left, op=ast.Pow(), right=right):
-                return float(self.number(left)) ** float(self.number(right))
+                return math.pow(self.number(left), self.number(right))
             case ast.BinOp(left=left, op=ast.Add(), right=right):
                 return self.sum(self.value(left), self.value(right))
             case ast.BinOp(left=left, op=op, right=right) if type(op) in ARITHMETIC:
@@ -98,7 +111,9 @@ class _Walk:
                 return FUNCTIONS[name](*map(self.number, arguments))
             case ast.Attribute(value=ast.Name(id="math"), attr=name) if name in FUNCTIONS or name == "pi":
                 return math.pi
-            case ast.Call(func=ast.Attribute(value=ast.Name(id="math"), attr=name), args=arguments, keywords=[]):
+            case ast.Call(
+                func=ast.Attribute(value=ast.Name(id="math"), attr=name), args=arguments, keywords=[]
+            ):
                 return FUNCTIONS[name](*map(self.number, arguments))
         raise NoValue(f"'{ast.get_source_segment(self.text, node)}' is not evaluated here")
 
