@@ -11,10 +11,14 @@ from functools import cached_property
 from typing import Any
 
 from derive.algebra.ball_arithmetic import precise
+from derive.expression import free_symbols
+from derive.mechanics.motion import Move
 from derive.mechanics.oracle.arm import Oracle
 from derive.mechanics.oracle.displacements import Course, Placed, along, course, many_digits
+from derive.mechanics.oracle.poses import compose, direction
 from derive.mechanics.oracle.sweep import Axis
 from derive.mechanics.oracle.values import Array
+from derive.mechanics.robot import FreeRow
 
 NEAR = 1e-4  # of differences; of two of them the error is about its fourth power
 TIP = "e"
@@ -67,7 +71,7 @@ class Instant:
         axis goes through any point."""
         import numpy as np
 
-        if self.oracle.robot.links[i - 1].joint == "prismatic":
+        if self._slides(i):
             return np.array(point)
         moved, T = self._axes[i - 1], self._before(i)
         if moved is None:
@@ -77,7 +81,28 @@ class Instant:
 
     @cached_property
     def _axes(self) -> list[Axis | None]:
-        return self.oracle.axes(self.at)
+        found = self.oracle.axes(self.at)
+        return [axis or self._coupled_axis(i) for i, axis in enumerate(found, 1)]
+
+    def _slides(self, i: int) -> bool:
+        link = self.oracle.robot.links[i - 1]
+        coupled = self._coupled_move(i)
+        return link.joint == "prismatic" or (coupled is not None and coupled[1].kind == "translate")
+
+    def _coupled_axis(self, i: int) -> Axis | None:
+        """Of a row that is moved by the variable of another, in the frame before it; None of a fixed row."""
+        if (coupled := self._coupled_move(i)) is None:
+            return None
+        made, move = coupled
+        T = compose(made, self.at)
+        return Axis(T[:3, :3] @ direction(move.axis, self.at), T[:3, 3])
+
+    def _coupled_move(self, i: int) -> tuple[tuple[Move, ...], Move] | None:
+        """The one move of a row without a joint by which it moves, and those before it."""
+        link, variables = self.oracle.robot.links[i - 1], set(self.oracle.robot.variables)
+        made = link.row.moves if isinstance(link.row, FreeRow) and link.variable is None else ()
+        moving = [k for k, move in enumerate(made) if free_symbols(move.by) & variables]
+        return (made[: moving[0]], made[moving[0]]) if len(moving) == 1 else None
 
     def _before(self, i: int) -> Array:
         return self.oracle.poses(self.at)[i - 1]

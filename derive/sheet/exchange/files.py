@@ -43,7 +43,10 @@ def imported(path: Path, wish: Wish = Wish()) -> Told:
         from derive.sheet.exchange.xacro import expanded
 
         root, missing = expanded(root, lambda file: elements(text_of(file), file), wish.packages)
-    told = arm(model(root), wish.base, wish.tip, wish.within)
+    try:
+        told = arm(model(root), wish.base, wish.tip, wish.within)
+    except SheetErrors as errors:
+        raise SheetErrors([*missing, *errors.errors]) from errors
     told.doubts[:0] = missing
     return told
 

@@ -1,4 +1,4 @@
-"""Screw axes [omega, v] as Lynch and Park list them (Modern Robotics, section 4.1): v = -omega x q + h omega."""
+"""Screw axes [omega, v] as Lynch and Park list them (Modern Robotics, 4.1): v = -omega x q + h omega."""
 
 from __future__ import annotations
 

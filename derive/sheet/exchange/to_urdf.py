@@ -1,4 +1,4 @@
-"""A robot as URDF: a joint for each row, its body in the frame of its link, the end-effector on a fixed joint.
+"""A robot as URDF: a joint for each row, its body in the frame of its link, the end-effector on a fixed one.
 
 Sheets know no effort and no speed limit, and URDF asks for both: generous ones are written.
 """

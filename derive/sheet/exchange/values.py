@@ -1,4 +1,4 @@
-"""Numbers of other programs, as a sheet writes them: simple angles in degrees, the rest with its own digits."""
+"""Numbers of other programs, as a sheet writes them: simple angles in degrees, others with their digits."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Xacro expanded to URDF: properties, arguments, macros with blocks, conditions, files included. Counted, so that
-no file can grow without end; what is only seen (visual, collision, gazebo, ...) is left out unread."""
+"""Xacro expanded to URDF: properties, arguments, macros with blocks, conditions, files included. Counted, so
+that no file can grow without end; what is only seen (visual, collision, gazebo, ...) is left out unread."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Scope:
 
     outer: Scope | None = None
     values: dict[str, str | Given] = field(default_factory=dict)
-    raw: set[str] = field(default_factory=set)  # those whose value is still to be worked out
+    raw: dict[str, Element] = field(default_factory=dict)  # where a value stands that is to be worked out
     blocks: dict[str, list[Element]] = field(default_factory=dict)
 
     def holder(self, name: str) -> Scope | None:
@@ -128,7 +128,7 @@ class _Expanding:
         if "value" not in element.attributes and default is not None and scope.holder(name):
             return
         kept.values[name] = element.attributes.get("value", default or "")
-        kept.raw.add(name)
+        kept.raw[name] = element
 
     def include(self, element: Element, scope: Scope, depth: int) -> Iterator[Element]:
         typed = element.text("filename")
@@ -146,9 +146,12 @@ class _Expanding:
 
     def found(self, typed: str, element: Element, scope: Scope) -> Path | None:
         """A file by its path, or in a package whose folder is around this file or beside one around it."""
-        here = element.file.path.resolve().parent
+        here = element.file.path.parent
         if package := re.fullmatch(r"\$\(find ([\w.-]+)\)/(.+)", typed):
-            places = (folder for around in (here, *here.parents) for folder in (around, around / package[1]))
+            whole = here.resolve()
+            places = (
+                folder for around in (whole, *whole.parents) for folder in (around, around / package[1])
+            )
             folders = [folder for folder in places if folder.name == package[1]]
             folders[:0] = filter(None, [self.packages.get(package[1])])
             paths = [folder / self.text(package[2], element, scope, "filename") for folder in folders]
@@ -250,11 +253,11 @@ class _Expanding:
             raise NoValue(f"the value of '{name}' leads back to itself")
         self.working.append(name)
         try:
-            worked = self.value(found, element, holder, "")
+            worked = self.value(found, holder.raw[name], holder, "value")
         finally:
             self.working.pop()
         holder.values[name] = worked
-        holder.raw.discard(name)
+        holder.raw.pop(name, None)
         return worked
 
 

@@ -1,5 +1,5 @@
-"""What stands in ${...} of a xacro file: arithmetic, comparisons and strings, and nothing that Python could be
-asked to do beside them. Decimals stay exact."""
+"""What stands in ${...} of a xacro file: arithmetic, comparisons and strings, and nothing that Python could
+be asked to do beside them. Decimals stay exact."""
 
 from __future__ import annotations
 
@@ -27,6 +27,7 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
         "atan",
         "atan2",
         "sqrt",
+        "exp",
         "radians",
         "degrees",
         "floor",
@@ -109,11 +110,11 @@ class _Walk:
                 return self.value(body if self.value(test) else orelse)
             case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if name in FUNCTIONS:
                 return FUNCTIONS[name](*map(self.number, arguments))
-            case ast.Attribute(value=ast.Name(id="math"), attr=name) if name in FUNCTIONS or name == "pi":
+            case ast.Attribute(value=ast.Name(id="math"), attr="pi"):
                 return math.pi
             case ast.Call(
                 func=ast.Attribute(value=ast.Name(id="math"), attr=name), args=arguments, keywords=[]
-            ):
+            ) if name in FUNCTIONS:
                 return FUNCTIONS[name](*map(self.number, arguments))
         raise NoValue(f"'{ast.get_source_segment(self.text, node)}' is not evaluated here")
 
