@@ -324,13 +324,13 @@ def _packages(ctx: click.Context, option: click.Parameter, value: tuple[str, ...
 )
 def import_(file: Path, base: str, tip: str, within: float, packages: dict[str, Path]) -> None:
     """Print a robot of URDF or xacro, or a table of CSV, as YAML."""
-    from derive.sheet.exchange.files import Wish, imported
+    from derive.sheet.exchange.files import Wish, as_yaml
 
     with guarded():
-        told = imported(file, Wish(base, tip, within, packages))
-        for doubt in told.doubts:
-            warn(doubt)
-        page(told.yaml())
+        text, strange = as_yaml(file, Wish(base, tip, within, packages))
+        for each in strange:
+            warn(each)
+        page(text)
 
 
 def _values(ctx: click.Context, option: click.Parameter, value: tuple[str, ...]) -> dict[str, float]:
@@ -354,11 +354,11 @@ def _values(ctx: click.Context, option: click.Parameter, value: tuple[str, ...])
 @click.option("--value", "values", multiple=True, callback=_values, metavar="NAME=VALUE", help="Of a symbol.")
 def export(robot: Path, form: str, values: dict[str, float]) -> None:
     """Print a robot's file as URDF."""
-    from derive.sheet.exchange.files import exported
+    from derive.sheet.exchange.files import as_urdf
 
     with guarded():
-        text, left_out = exported(robot, values)
-        for each in left_out:
+        text, strange = as_urdf(robot, values)
+        for each in strange:
             warn(each)
         page(text)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from derive.errors import SheetError, SheetErrors
-from derive.sheet.checked import checked
+from derive.mechanics.robot import Robot
 from derive.sheet.exchange.told import Told
 from derive.sheet.exchange.values import EXACT
 from derive.sheet.source import At
@@ -69,19 +69,34 @@ def text_of(path: Path) -> str:
         raise SheetErrors([SheetError(f"{path}: {error.strerror or error}")]) from error
 
 
-def exported(path: Path, values: Mapping[str, float]) -> tuple[str, list[SheetError]]:
+def as_yaml(path: Path, wish: Wish = Wish()) -> tuple[str, list[SheetError]]:
+    """A robot's file as YAML, and what is strange about it. Raises SheetErrors."""
+    told = imported(path, wish)
+    _, strange = _built(At(told.source()))
+    return told.yaml(), strange
+
+
+def as_urdf(path: Path, values: Mapping[str, float]) -> tuple[str, list[SheetError]]:
     """A robot's file as URDF, and what is strange about it or left out. Raises SheetErrors."""
     from derive.sheet.exchange.to_urdf import urdf
     from derive.sheet.reader import read
-    from derive.sheet.subjects.registry import Known
-    from derive.sheet.subjects.robot import Given, build, warnings
 
     at = At(imported(path).source() if path.suffix in ENDINGS else read(path))
     if isinstance(data := at.value(), dict) and "robot" in data:
         at = at / "robot"
     elif isinstance(data, dict) and "problems" in data:
         raise at.error("this is a sheet, and no robot", ("problems",), "name the file of a robot", key=True)
+    robot, strange = _built(at)
+    text, left_out = urdf(robot, at, values)
+    return text, [*strange, *left_out]
+
+
+def _built(at: At) -> tuple[Robot, list[SheetError]]:
+    """The robot, and what is strange about it. Raises SheetErrors."""
+    from derive.sheet.checked import checked
+    from derive.sheet.subjects.registry import Known
+    from derive.sheet.subjects.robot import Given, build, warnings
+
     known = Known()
     robot = build(checked(Given, at, at.value(), known.names), at, known)
-    text, left_out = urdf(robot, at, values)
-    return text, [*at.source.doubts, *warnings(robot, at, known), *left_out]
+    return robot, [*at.source.doubts, *warnings(robot, at, known)]
