@@ -13,7 +13,7 @@ import numpy as np
 
 from derive.algebra.numbers.floats import Point, number
 from derive.errors import SheetError
-from derive.expression import free_symbols
+from derive.expression import ZERO, free_symbols
 from derive.kinds.problem import expressions
 from derive.mechanics.bodies import Body
 from derive.mechanics.oracle.arm import Oracle
@@ -25,6 +25,7 @@ from derive.sheet.source import At
 EFFORT = 'effort="1000" velocity="100"'
 REACH = 10.0  # m either way: of a joint that slides and has no range
 ZERO_BELOW = 1e-15
+TURN = "put a turn before the arm: base: [{rotate: x, by: 90 deg}] lets -y point down"
 
 
 def urdf(robot: Robot, at: At, values: Point) -> tuple[str, list[SheetError]]:
@@ -106,6 +107,8 @@ def _com(body: Body, row: Placed, point: Point, before: Array | None) -> Array:
 
 
 def _left_out(robot: Robot, at: At) -> Iterator[SheetError]:
+    if robot.gravity and (robot.gravity[0], robot.gravity[1]) != (ZERO, ZERO):
+        yield at.fault("URDF has no gravity, and simulators let it act along -z", ("gravity",), TURN)
     for index, link in enumerate(robot.links):
         yield from _left_out_of(link, at / "links" / index, robot)
 
