@@ -425,6 +425,8 @@ def watch(
 
 def _is_source(path: Path, templates: Path | None) -> bool:
     """Whether a page is made of it."""
-    return path.suffix in (".yaml", ".yml") or (
+    from derive.sheet.exchange.files import ENDINGS
+
+    return path.suffix in (".yaml", ".yml", *ENDINGS) or (
         templates is not None and path.resolve().is_relative_to(templates.resolve())
     )

@@ -16,13 +16,13 @@ from pydantic import TypeAdapter
 
 from derive.kinds import registry as kinds
 from derive.kinds.fields import described
+from derive.sheet.exchange.files import ENDINGS
 from derive.sheet.given import ASKED_KEYS, GivenAsked, GivenProblem, GivenQuestion, GivenSheet
 from derive.sheet.model_schema import models_schema
 from derive.sheet.schema_parts import Part, hoisted, named, of_yaml, reached, trimmed
 from derive.sheet.subjects import registry as subjects
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-FILE = {"type": "string", "pattern": r"\.ya?ml$", "description": "a file below the folder of the sheet"}
 Described: TypeAlias = tuple[str, str]  # a subject, and one that may stand beside it as an option of a kind
 
 
@@ -44,7 +44,7 @@ def sheet_schema() -> Part:
         definitions[_name(module)] = _kind(definitions[_name(module)], loaded.Options, inspect.getdoc(loaded))
     for subject in subjects.subjects():
         about = {"title": subject, "description": _meaning(subject)}
-        definitions[subject] = {**about, "anyOf": [_untitled(definitions[subject]), FILE]}
+        definitions[subject] = {**about, "anyOf": [_untitled(definitions[subject]), _file(subject)]}
         definitions[f"{subject}-question"] = _asked(subject)
     definitions |= {name: _open(definitions[name]) for name in ("problem", "asked", "question")}
     for name in ("asked", "question"):
@@ -54,6 +54,13 @@ def sheet_schema() -> Part:
     definitions["problem"] = _problem(definitions["problem"], definitions)
     whole = {**sheet, "title": "Exercise sheet", "$defs": {**definitions, **shared}}
     return {"$schema": DIALECT, **hoisted(named(reached(of_yaml(trimmed(whole)))))}
+
+
+def _file(subject: str) -> Part:
+    """The path of a file that describes it."""
+    endings = (".ya?ml", *(ENDINGS if subject == "robot" else ()))
+    pattern = rf"({'|'.join(endings)})$".replace(".", r"\.")
+    return {"type": "string", "pattern": pattern, "description": "a file below the folder of the sheet"}
 
 
 def _problem(own: Part, definitions: dict[str, Part]) -> Part:

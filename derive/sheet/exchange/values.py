@@ -10,6 +10,7 @@ from typing import TypeAlias
 Value: TypeAlias = Fraction | float  # exact as long as it can be
 
 NOISE = 1e-12  # what is smaller is what an exporter's rounding left of a zero
+ROUNDING = 1e-15  # of the value: what a sum or a product in floating point is off
 EXACT = 1e-9  # an angle this near to a simple one (rad) is that one
 
 
@@ -34,7 +35,10 @@ def written(value: Value, unit: str = "") -> str:
 
 
 def plain(value: Value) -> str:
-    """A number as it is, without a unit."""
+    """A number as it is, without a unit; what floating point made of a short decimal is that one."""
+    short = f"{float(value):.12g}"
+    if math.fabs(exact(short) - value) <= ROUNDING * math.fabs(value):
+        value = exact(short)
     return _decimal(value) if isinstance(value, Fraction) else repr(float(value))
 
 

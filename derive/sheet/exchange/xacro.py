@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from derive.errors import SheetError
+from derive.errors import SheetError, SheetErrors
 from derive.sheet.exchange.elements import MAX_ELEMENTS, Element
 from derive.sheet.exchange.values import plain
 from derive.sheet.exchange.xacro_values import Given, NoValue, said, value
@@ -62,7 +62,10 @@ def expanded(root: Element, read: Read, packages: Mapping[str, Path]) -> tuple[E
     """The description as plain URDF, and which files were not found; `packages` are the folders of ROS
     packages that stand elsewhere. Raises SheetErrors."""
     expanding = _Expanding(read, packages)
-    children = list(expanding.all(root.children, Scope(), 0))
+    try:
+        children = list(expanding.all(root.children, Scope(), 0))
+    except SheetErrors as errors:
+        raise SheetErrors([*expanding.doubts, *errors.errors]) from errors
     if expanding.macros and not any(child.tag == "link" for child in children):
         hint = "import the file that calls them"
         raise root.error("this file holds macros, and no link stands outside of them", hint)
