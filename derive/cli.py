@@ -312,7 +312,11 @@ def _packages(ctx: click.Context, option: click.Parameter, value: tuple[str, ...
 @click.option("--base", default="", metavar="LINK", help="Where the arm begins; else the root.")
 @click.option("--tip", default="", metavar="LINK", help="Where it ends; else after the most joints.")
 @click.option(
-    "--within", default=1e-9, show_default=True, help="Angles (rad) this near to a simple one are that one."
+    "--within",
+    default=1e-9,
+    type=click.FloatRange(0, 1e-2),
+    show_default=True,
+    help="Angles (rad) this near to a simple one are that one.",
 )
 @click.option(
     "--package",

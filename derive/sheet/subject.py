@@ -48,7 +48,7 @@ def _is_option(name: str, data: dict[str, Any], subject: str) -> bool:
 def subject_place(at: At, name: str) -> At:
     """Where the subject is written: here, or in the file that is named here. Raises SheetErrors."""
     typed = at.value((name,))
-    if isinstance(typed, str) and name == "robot" and typed.endswith(ENDINGS):
+    if isinstance(typed, str) and name == "robot" and typed.lower().endswith(ENDINGS):
         return At(imported(_beside(at, name, typed)).source())
     if not isinstance(typed, str) or not typed.endswith((".yaml", ".yml")):
         return at / name

@@ -62,3 +62,11 @@ def test_what_is_written_as_urdf_is_the_same_robot(path: Path, tmp_path: Path) -
     for key in "TJ" if any(link.motor for link in robot.links) else before:  # URDF has neither rotors
         if key != "g" or path.suffix == ".urdf":  # nor a gravity of its own
             np.testing.assert_allclose(after[key], before[key], atol=2e-9, err_msg=key)
+
+
+def test_an_arm_may_begin_and_end_within_a_robot() -> None:
+    """What hangs behind joint 3 of the Panda has those moments of the whole, however the joints before stand."""
+    given = FOUND["panda"]
+    robot = read(ROBOTS / "panda.urdf", Wish(base="panda_link3", tip="panda_link7"))
+    D = numbers(robot, dict(zip(robot.variables, list(given["q"].values())[3:], strict=True)))["D"]
+    np.testing.assert_allclose(D, np.array(given["D"])[3:, 3:], atol=1e-9)

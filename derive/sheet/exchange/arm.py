@@ -10,14 +10,14 @@ from math import fabs
 
 from derive.errors import SheetError, how_many
 from derive.sheet.exchange.elements import Element
-from derive.sheet.exchange.rigid import ORIGIN, Mass, added
-from derive.sheet.exchange.route import Way, joined, way, welds
+from derive.sheet.exchange.rigid import ORIGIN, Mass, Pose, added
+from derive.sheet.exchange.route import Way, at_rest, joined, way, welds
 from derive.sheet.exchange.told import Data, Told
 from derive.sheet.exchange.urdf import TURNING, Joint, Model, Origin
 from derive.sheet.exchange.values import EXACT, Value, degrees_of, moment, written, written_angle
 from derive.sheet.range_faults import MOST
 
-GRAVITY: Data = ["0", "0", "-9.81 m/s^2"]
+GRAVITY = Fraction("9.81")  # m/s^2, against the z axis of the root
 ROUNDED = 1e-4  # rad: how far the angle meant may be from the one typed
 
 
@@ -32,7 +32,7 @@ def arm(model: Model, base: str = "", tip: str = "", within: float = EXACT) -> T
     told.doubts += _held(along)
     heavy = any(body for body, _ in bodies) and not _driven(model, along, told)
     if heavy:
-        told.put(GRAVITY, model.element, "gravity")
+        told.put(_gravity(along, within), model.element, "gravity")
     if rows[0].fixed:
         told.put(_places(rows[0].fixed, within), rows[0].joint.element, "base")
     variables = _Variables(rows, told)
@@ -51,6 +51,14 @@ def arm(model: Model, base: str = "", tip: str = "", within: float = EXACT) -> T
     told.doubts += _nearly(along, within)
     told.title = f"{along.joints[0].parent} to {along.tip}"
     return told
+
+
+def _gravity(along: Way, within: float) -> Data:
+    """In the frame of the base, the joints before it at zero."""
+    pose = Pose()
+    for joint in along.before:
+        pose = pose @ at_rest(joint, within)
+    return [written(-GRAVITY * entry, "m/s^2") for entry in pose.R[2]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,7 +29,9 @@ class Wish:
 
 def imported(path: Path, wish: Wish = Wish()) -> Told:
     """The robot in a file. Raises SheetErrors with every fault of the file."""
-    if path.suffix == ".csv":
+    if path.suffix.lower() not in ENDINGS:
+        raise SheetErrors([SheetError(f"{path}: a robot is read from {', '.join(ENDINGS)}")])
+    if path.suffix.lower() == ".csv":
         from derive.sheet.exchange.table import table
 
         return table(text_of(path), path)
@@ -81,7 +83,7 @@ def as_urdf(path: Path, values: Mapping[str, float]) -> tuple[str, list[SheetErr
     from derive.sheet.exchange.to_urdf import urdf
     from derive.sheet.reader import read
 
-    at = At(imported(path).source() if path.suffix in ENDINGS else read(path))
+    at = At(imported(path).source() if path.suffix.lower() in ENDINGS else read(path))
     if isinstance(data := at.value(), dict) and "robot" in data:
         at = at / "robot"
     elif isinstance(data, dict) and "problems" in data:

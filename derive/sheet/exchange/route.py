@@ -26,9 +26,10 @@ from derive.sheet.faults import did_you_mean
 
 @dataclass(frozen=True, slots=True)
 class Way:
-    """The joints of the arm from its base to `tip`, fixed ones among them, and the joints beside it that move
-    and are held at zero."""
+    """The joints of the arm from its base to `tip`, fixed ones among them, those `before` its base, and those
+    `beside` it that move: both are held at zero."""
 
+    before: tuple[Joint, ...]
     joints: tuple[Joint, ...]
     tip: str
     beside: tuple[Joint, ...]
@@ -47,11 +48,12 @@ def way(model: Model, base: str = "", tip: str = "") -> Way:
             hint = did_you_mean(name, tuple(model.links), "there are")
             raise model.element.error(f"there is no link '{name}'", hint)
     path = model.path(tip) if tip else _longest(model, base)
+    before: tuple[Joint, ...] = ()
     if base and base != model.root:
         start = next((k for k, joint in enumerate(path, 1) if joint.child == base), None)
         if start is None:
             raise model.element.error(f"link '{base}' is not on the way to '{tip or path[-1].child}'")
-        path = path[start:]
+        before, path = path[:start], path[start:]
     if not any(joint.moves for joint in path):
         raise model.element.error("no joint moves on the way to the end of the arm")
     taken = {joint.child for joint in path}
@@ -61,7 +63,7 @@ def way(model: Model, base: str = "", tip: str = "") -> Way:
         for joint in model.joints.values()
         if joint.moves and joint.child not in taken and _hangs_on(model, joint, taken, first)
     )
-    return Way(path, path[-1].child, beside)
+    return Way(before, path, path[-1].child, beside)
 
 
 def _longest(model: Model, base: str) -> tuple[Joint, ...]:

@@ -14,6 +14,7 @@ from derive.sheet.source import Route, Source, Spot
 Data: TypeAlias = "str | list[Data] | dict[str, Data]"
 
 PLAIN = re.compile(r"[\w(.\-][\w .+*/^()\-]*")  # what needs no quotes inside of brackets
+NOT_TEXT = frozenset(("null", "true", "false"))  # without quotes
 WIDE = 110
 
 
@@ -86,7 +87,7 @@ def flow(value: Data) -> str:
         case dict():
             return "{" + ", ".join(f"{key}: {flow(each)}" for key, each in value.items()) + "}"
     plain = PLAIN.fullmatch(value) and value == value.strip() and not value.startswith(("- ", "-."))
-    return value if plain else json.dumps(value, ensure_ascii=False)
+    return value if plain and value.lower() not in NOT_TEXT else json.dumps(value, ensure_ascii=False)
 
 
 def _one_line(text: str) -> str:

@@ -11,6 +11,7 @@ Value: TypeAlias = Fraction | float  # exact as long as it can be
 
 NOISE = 1e-12  # what is smaller is what an exporter's rounding left of a zero
 ROUNDING = 1e-15  # of the value: what a sum or a product in floating point is off
+SURE = 1e-6  # rad: nearer than this, no half degree is met by chance
 EXACT = 1e-9  # an angle this near to a simple one (rad) is that one
 
 
@@ -60,9 +61,11 @@ def _decimal(value: Fraction) -> str:
 
 
 def degrees_of(angle: Value, within: float = EXACT) -> Fraction | None:
-    """A whole or half number of degrees that an angle (rad) is, None where it is no such."""
-    halves = round(math.degrees(float(angle)) * 2)
-    return Fraction(halves, 2) if abs(float(angle) - math.radians(halves / 2)) <= within else None
+    """The whole or half number of degrees that an angle (rad) is, a multiple of 5 where it may be far off;
+    None where it is no such."""
+    step = Fraction(1, 2) if within <= SURE else Fraction(5)
+    found = round(math.degrees(float(angle)) / step) * step
+    return found if abs(float(angle) - math.radians(found)) <= within else None
 
 
 def written_angle(angle: Value, within: float = EXACT) -> str:
