@@ -329,9 +329,10 @@ def _packages(ctx: click.Context, option: click.Parameter, value: tuple[str, ...
 def import_(file: Path, base: str, tip: str, within: float, packages: dict[str, Path]) -> None:
     """Print a robot of URDF or xacro, or a table of CSV, as YAML."""
     from derive.sheet.exchange.files import Wish, as_yaml
+    from derive.sheet.exchange.library import Library
 
     with guarded():
-        text, strange = as_yaml(file, Wish(base, tip, within, packages))
+        text, strange = as_yaml(file, Wish(base, tip, within, Library(packages)))
         for each in strange:
             warn(each)
         page(text)

@@ -10,7 +10,8 @@ from derive.kinds.fields import described
 from derive.kinds.registry import kinds_of
 from derive.kinds.registry import load as kind
 from derive.sheet.checked import checked
-from derive.sheet.exchange.files import ENDINGS, imported
+from derive.sheet.exchange.files import ENDINGS, Wish, imported
+from derive.sheet.exchange.library import Library
 from derive.sheet.faults import MOST, did_you_mean
 from derive.sheet.reader import read
 from derive.sheet.source import At, Faults
@@ -49,7 +50,8 @@ def subject_place(at: At, name: str) -> At:
     """Where the subject is written: here, or in the file that is named here. Raises SheetErrors."""
     typed = at.value((name,))
     if isinstance(typed, str) and name == "robot" and typed.lower().endswith(ENDINGS):
-        return At(imported(_beside(at, name, typed)).source())
+        inside = Wish(library=Library(folder=at.source.path.parent))
+        return At(imported(_beside(at, name, typed), inside).source())
     if not isinstance(typed, str) or not typed.endswith((".yaml", ".yml")):
         return at / name
     source = read(_beside(at, name, typed))

@@ -39,6 +39,17 @@ def test_xacro_is_expanded_as_its_own_program_does() -> None:
         np.testing.assert_allclose(numbers(ours, q)[key], value, atol=1e-14)
 
 
+def test_a_sheet_reads_no_file_outside_of_its_folder(tmp_path: Path) -> None:
+    (tmp_path / "sheets").mkdir()
+    (tmp_path / "parts.xacro").write_text("<robot/>")
+    text = '<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:include filename="../parts.xacro"/></robot>'
+    (tmp_path / "sheets" / "arm.xacro").write_text(text)
+    with pytest.raises(derive.DeriveError, match=r"there is no file \.\./parts\.xacro"):
+        derive.loads(
+            "title: A\nproblems:\n- {robot: arm.xacro, find: jacobian}\n", tmp_path / "sheets" / "s.yaml"
+        )
+
+
 def test_a_table_of_rows(tmp_path: Path) -> None:
     (tmp_path / "arm.csv").write_text(STANFORD)
     assert as_yaml(tmp_path / "arm.csv")[0].splitlines()[1:4] == [
@@ -77,6 +88,18 @@ def test_angles_are_exact_within_a_billionth_or_as_wished() -> None:
     assert "by: -1.5708 rad" in text and "within 1e-4" in str(strange[0].hint)
     text, strange = as_yaml(ROBOTS / "xarm7.urdf", Wish(within=1e-4))
     assert "by: -90 deg" in text and "1.5708" not in text and not strange
+
+
+def test_bodies_that_move_beside_the_arm_are_welded_to_nothing(tmp_path: Path) -> None:
+    """A parallelogram whose second bar follows a joint of the arm: poses are read, and no dynamics."""
+    bars = (ROBOTS / "mimics.urdf").read_text().replace('<parent link="c"/>', '<parent link="b"/>')
+    (tmp_path / "arm.urdf").write_text(bars)
+    text, strange = as_yaml(tmp_path / "arm.urdf", Wish(tip="e"))
+    assert "mass" not in text and "gravity" not in text
+    assert [fault.message for fault in strange] == [
+        "joint 'j2' is not on the way to 'e'",
+        "joint 'j2' moves with 'j1', beside the arm",
+    ]
 
 
 def test_the_commands(folder: Path) -> None:

@@ -65,7 +65,7 @@ def test_what_is_written_as_urdf_is_the_same_robot(path: Path, tmp_path: Path) -
 
 
 def test_an_arm_may_begin_and_end_within_a_robot() -> None:
-    """What hangs behind joint 3 of the Panda has those moments of the whole, however the joints before stand."""
+    """Behind joint 3 of the Panda D is that of the whole, however the joints before stand."""
     given = FOUND["panda"]
     robot = read(ROBOTS / "panda.urdf", Wish(base="panda_link3", tip="panda_link7"))
     D = numbers(robot, dict(zip(robot.variables, list(given["q"].values())[3:], strict=True)))["D"]

@@ -8,48 +8,43 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import fabs
 
-from derive.errors import SheetError, how_many
+from derive.sheet.exchange.beside import driven, held, nearly
 from derive.sheet.exchange.elements import Element
 from derive.sheet.exchange.rigid import ORIGIN, Mass, Pose, added
 from derive.sheet.exchange.route import Way, at_rest, joined, way, welds
 from derive.sheet.exchange.told import Data, Told
 from derive.sheet.exchange.urdf import TURNING, Joint, Model, Origin
-from derive.sheet.exchange.values import EXACT, Value, degrees_of, moment, written, written_angle
+from derive.sheet.exchange.values import EXACT, Value, moment, written, written_angle
+from derive.sheet.exchange.variables import Variables
 from derive.sheet.range_faults import MOST
 
 GRAVITY = Fraction("9.81")  # m/s^2, against the z axis of the root
-ROUNDED = 1e-4  # rad: how far the angle meant may be from the one typed
 
 
 def arm(model: Model, base: str = "", tip: str = "", within: float = EXACT) -> Told:
     """The robot as its YAML would hold it. Raises SheetErrors."""
     along = way(model, base, tip)
-    told = Told(model.element)
     rows = list(_rows(along))
-    if name := model.name:
-        told.put(name, model.element, "name")
+    variables = Variables([row.joint for row in rows])
+    told = Told(model.element, f"{along.joints[0].parent} to {along.tip}")
+    if model.name:
+        told.put(model.name, model.element, "name")
     bodies = [joined(welds(model, row.joint.child, along, within)) for row in rows]
-    told.doubts += _held(along)
-    heavy = any(body for body, _ in bodies) and not _driven(model, along, told)
+    loose = driven(along)
+    heavy = any(body for body, _ in bodies) and not loose
     if heavy:
         told.put(_gravity(along, within), model.element, "gravity")
-    if rows[0].fixed:
-        told.put(_places(rows[0].fixed, within), rows[0].joint.element, "base")
-    variables = _Variables(rows, told)
-    for index, row in enumerate(rows):
-        before = [*(row.fixed if index else ()), row.joint.origin]
-        motion = [*_places(before, within), _own(row.joint, variables.by(row.joint), within)]
-        told.put(motion, row.joint.element, "links", index, "motion")
-        body, element = bodies[index]
+    if moves := _places(rows[0].fixed, within):
+        told.put(moves, rows[0].joint.element, "base")
+    for index, (row, (body, element)) in enumerate(zip(rows, bodies, strict=True)):
+        _put_row(told, index, row, variables, within)
         if heavy:
             _put_body(told, index, body, element or row.joint.element)
         _put_joint(told, index, row.joint, variables, within)
-        told.notes.append(row.joint.name)
     behind = [joint.origin for joint in along.joints[along.joints.index(rows[-1].joint) + 1 :]]
     if moves := _places(behind, within):
         told.put(moves, along.joints[-1].element, "tool")
-    told.doubts += _nearly(along, within)
-    told.title = f"{along.joints[0].parent} to {along.tip}"
+    told.doubts += [*held(along), *loose, *variables.strange(), *nearly(along, within)]
     return told
 
 
@@ -116,80 +111,11 @@ def _own(joint: Joint, by: str, within: float) -> Data:
     return {kind: "xyz"[k], "by": by[1:] if by.startswith("-") else f"-{by}"}
 
 
-class _Variables:
-    """The names of the joint variables, and what the joints that follow others are moved by."""
-
-    def __init__(self, rows: list[_Row], told: Told) -> None:
-        self.joints = {row.joint.name: row.joint for row in rows}
-        letters = {True: "theta", False: "d"}
-        self.names = {
-            row.joint.name: f"{letters[row.joint.type in TURNING]}{k}" for k, row in enumerate(rows, 1)
-        }
-        for joint in self.joints.values():
-            if joint.mimic and joint.mimic.joint not in self.joints:
-                message = f"joint '{joint.name}' follows '{joint.mimic.joint}', which is no joint of this arm"
-                told.doubts.append(joint.mimic.element.fault(message, "it moves by itself here"))
-
-    def follows(self, joint: Joint) -> bool:
-        """Whether a joint has no variable of its own."""
-        return joint.mimic is not None and joint.mimic.joint in self.joints
-
-    def by(self, joint: Joint) -> str:
-        """What a joint is moved by. Raises SheetErrors where joints follow each other in a circle."""
-        if not self.follows(joint):
-            return f"{self.names[joint.name]}*"
-        ratio, offset, seen = Fraction(1), Fraction(0), {joint.name}
-        turning = joint.type in TURNING
-        unit = "rad" if turning else "m"
-        element = joint.element
-        while joint.mimic is not None and self.follows(joint):
-            element = joint.mimic.element
-            offset += ratio * joint.mimic.offset
-            ratio *= joint.mimic.multiplier
-            joint = self.joints[joint.mimic.joint]
-            if joint.name in seen:
-                raise element.error(f"joint '{joint.name}' follows itself")
-            seen.add(joint.name)
-        name = self.names[joint.name]
-        scaled = {"1": name, "-1": f"-{name}"}.get(written(ratio), f"{written(ratio)}*{name}")
-        shift = written_angle(offset) if turning else written(offset, unit)
-        if ratio == 0:
-            return shift
-        return scaled if shift == "0" else f"{scaled} + {shift}".replace("+ -", "- ")
-
-
-def _nearly(along: Way, within: float) -> Iterator[SheetError]:
-    """Whether angles were rounded: the first that is nearly a simple one, and no nearer than its digits."""
-    for joint in along.joints:
-        for angle in joint.origin.rpy:
-            near = degrees_of(angle, ROUNDED)
-            if near is not None and near % 15 == 0 and degrees_of(angle, within) is None:
-                message = f"{written(angle)} is {near} degrees to the digits given, and is taken as it stands"
-                hint = "to take such angles for exact ones: derive import FILE --within 1e-4"
-                yield (joint.element.one("origin") or joint.element).fault(message, hint, "rpy")
-                return
-
-
-def _held(along: Way) -> list[SheetError]:
-    """What is said of the joints beside the arm."""
-    if not along.beside:
-        return []
-    first, *more = along.beside
-    others = f" and {how_many(len(more), 'other')}" if more else ""
-    message = f"joint '{first.name}'{others} {'are' if more else 'is'} not on the way to '{along.tip}'"
-    hint = "held at zero, and what hangs there belongs to the link that carries it; else name --tip"
-    return [first.element.fault(message, hint)]
-
-
-def _driven(model: Model, along: Way, told: Told) -> bool:
-    """Whether a joint beside the arm moves with one of it, so that what hangs there is welded to nothing."""
-    names = {joint.name for joint in along.joints if joint.moves}
-    for joint in along.beside:
-        if joint.mimic and joint.mimic.joint in names:
-            message = f"joint '{joint.name}' moves with '{joint.mimic.joint}', beside the arm"
-            told.doubts.append(joint.mimic.element.fault(message, "the bodies of the arm are left out"))
-            return True
-    return False
+def _put_row(told: Told, index: int, row: _Row, variables: Variables, within: float) -> None:
+    before = [*(row.fixed if index else ()), row.joint.origin]
+    motion = [*_places(before, within), _own(row.joint, variables.by(row.joint), within)]
+    told.put(motion, row.joint.element, "links", index, "motion")
+    told.notes.append(row.joint.name)
 
 
 def _put_body(told: Told, index: int, body: Mass | None, element: Element) -> None:
@@ -207,7 +133,7 @@ def _inertia(mass: Mass) -> Data:
     return [moment(each) for each in (xx, yy, zz, *(mixed if any(mixed) else ()))]
 
 
-def _put_joint(told: Told, index: int, joint: Joint, variables: _Variables, within: float) -> None:
+def _put_joint(told: Told, index: int, joint: Joint, variables: Variables, within: float) -> None:
     endless = joint.type in TURNING and max(map(fabs, joint.limits or (0,))) > MOST
     if joint.limits and not endless and not variables.follows(joint):
         unit = "m" if joint.type == "prismatic" else "rad"

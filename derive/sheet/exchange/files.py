@@ -8,6 +8,7 @@ from pathlib import Path
 
 from derive.errors import SheetError, SheetErrors
 from derive.mechanics.robot import Robot
+from derive.sheet.exchange.library import Library
 from derive.sheet.exchange.told import Told
 from derive.sheet.exchange.values import EXACT
 from derive.sheet.source import At
@@ -19,12 +20,12 @@ MAX_BYTES = 5_000_000
 @dataclass(frozen=True, slots=True)
 class Wish:
     """How a description is to be read: the links between which the arm is; how near to a simple angle (rad)
-    one is taken for it; where ROS packages are."""
+    one is taken for it; where included files are."""
 
     base: str = ""
     tip: str = ""
     within: float = EXACT
-    packages: Mapping[str, Path] = field(default_factory=dict)
+    library: Library = field(default_factory=Library)
 
 
 def imported(path: Path, wish: Wish = Wish()) -> Told:
@@ -44,7 +45,7 @@ def imported(path: Path, wish: Wish = Wish()) -> Told:
     if any(name == "xmlns:xacro" for name in root.attributes):
         from derive.sheet.exchange.xacro import expanded
 
-        root, missing = expanded(root, lambda file: elements(text_of(file), file), wish.packages)
+        root, missing = expanded(root, lambda file: elements(text_of(file), file), wish.library)
     try:
         told = arm(model(root), wish.base, wish.tip, wish.within)
     except SheetErrors as errors:

@@ -21,9 +21,9 @@ WIDE = 110
 class Told:
     """What is known of a robot so far, the notes that stand beside its rows, and what is strange about it."""
 
-    def __init__(self, root: Element) -> None:
+    def __init__(self, root: Element, title: str = "") -> None:
         self.root = root
-        self.title = ""
+        self.title = title
         self.data: dict[str, Data] = {}
         self.spots: dict[Route, Spot] = {(): root.spot}
         self.notes: list[str] = []

@@ -118,6 +118,8 @@ def model(root: Element) -> Model:
             message = f"link '{joint.child}' hangs on joint '{leading[joint.child].name}' already"
             faults.append(joint.element.need("child").fault(message, "an open chain has no loops", "link"))
         leading.setdefault(joint.child, joint)
+        if joint.mimic and joint.mimic.joint not in joints:
+            faults.append(joint.mimic.element.fault(f"there is no joint '{joint.mimic.joint}'", "", "joint"))
     faults.settle()
     return Model(root.attributes.get("name", "").strip(), _base(root, links, leading), links, leading, root)
 

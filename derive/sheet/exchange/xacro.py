@@ -4,12 +4,13 @@ that no file can grow without end; what is only seen (visual, collision, gazebo,
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from derive.errors import SheetError, SheetErrors
 from derive.sheet.exchange.elements import MAX_ELEMENTS, Element
+from derive.sheet.exchange.library import Library
 from derive.sheet.exchange.values import plain
 from derive.sheet.exchange.xacro_values import Given, NoValue, said, value
 from derive.sheet.faults import did_you_mean
@@ -20,6 +21,7 @@ SEEN_ONLY = frozenset(
 )
 MAX_DEPTH = 40  # of macros in macros, and of files in files
 BRACED = re.compile(r"\$\{([^{}]*)\}|\$\(([^()]*)\)")
+PACKAGE = re.compile(r"\$\(find ([\w.-]+)\)/(.+)")
 Read = Callable[[Path], Element]
 
 
@@ -58,10 +60,9 @@ class Scope:
         return self if self.outer is None else self.outer.top
 
 
-def expanded(root: Element, read: Read, packages: Mapping[str, Path]) -> tuple[Element, list[SheetError]]:
-    """The description as plain URDF, and which files were not found; `packages` are the folders of ROS
-    packages that stand elsewhere. Raises SheetErrors."""
-    expanding = _Expanding(read, packages)
+def expanded(root: Element, read: Read, library: Library) -> tuple[Element, list[SheetError]]:
+    """The description as plain URDF, and which files were not found. Raises SheetErrors."""
+    expanding = _Expanding(read, library)
     try:
         children = list(expanding.all(root.children, Scope(), 0))
     except SheetErrors as errors:
@@ -73,9 +74,9 @@ def expanded(root: Element, read: Read, packages: Mapping[str, Path]) -> tuple[E
 
 
 class _Expanding:
-    def __init__(self, read: Read, packages: Mapping[str, Path]) -> None:
+    def __init__(self, read: Read, library: Library) -> None:
         self.read = read
-        self.packages = packages
+        self.library = library
         self.macros: dict[str, _Macro] = {}
         self.arguments: dict[str, str] = {}
         self.doubts: list[SheetError] = []
@@ -148,21 +149,11 @@ class _Expanding:
         yield from self.all(self.read(path).children, scope, depth + 1)
 
     def found(self, typed: str, element: Element, scope: Scope) -> Path | None:
-        """A file by its path, or in a package whose folder is around this file or beside one around it."""
-        here = element.file.path.parent
-        if package := re.fullmatch(r"\$\(find ([\w.-]+)\)/(.+)", typed):
-            whole = here.resolve()
-            places = (
-                folder for around in (whole, *whole.parents) for folder in (around, around / package[1])
-            )
-            folders = [folder for folder in places if folder.name == package[1]]
-            folders[:0] = filter(None, [self.packages.get(package[1])])
-            paths = [folder / self.text(package[2], element, scope, "filename") for folder in folders]
-        else:
-            paths = [here / self.text(typed, element, scope, "filename")]
-        return next(
-            (path for path in paths if path.suffix in (".xacro", ".urdf", ".xml") and path.is_file()), None
-        )
+        """A file by its path, or in a package: $(find NAME)/path."""
+        in_package = PACKAGE.fullmatch(typed)
+        package, path = in_package.groups() if in_package else ("", typed)
+        name = self.text(path, element, scope, "filename")
+        return self.library.file(element.file.path.parent, name, package)
 
     def call(self, name: str, element: Element, scope: Scope, depth: int) -> Iterator[Element]:
         if (macro := self.macros.get(name)) is None:
