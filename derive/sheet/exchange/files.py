@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from derive.errors import SheetError, SheetErrors
-from derive.mechanics.robot import Robot
 from derive.sheet.exchange.library import Library
-from derive.sheet.exchange.told import Told
 from derive.sheet.exchange.values import EXACT
 from derive.sheet.source import At
+
+if TYPE_CHECKING:
+    from derive.mechanics.robot import Robot
+    from derive.sheet.exchange.told import Told
 
 ENDINGS = (".urdf", ".xacro", ".csv")
 MAX_BYTES = 5_000_000
