@@ -13,6 +13,7 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 from scipy.optimize import fsolve
 
+from derive.audit.text import sympy_of_text
 from derive.errors import SheetErrors
 from tests.sheets import pages
 
@@ -49,7 +50,7 @@ def question(links: str, path: str, more: str, folder: Path) -> dict[str, Any]:
 
 def joints(texts: dict[str, list[str]]) -> Any:
     """q, its rates and accelerations (3 by n) as functions of the time alone."""
-    trees = [[sympy.sympify(text, locals={"t": T}) for text in texts[key]] for key in ("q", "qdot", "qddot")]
+    trees = [[sympy_of_text(text, {"t": T}) for text in texts[key]] for key in ("q", "qdot", "qddot")]
     assert {name for row in trees for tree in row for name in tree.free_symbols} <= {T}
     return sympy.lambdify(T, trees, "numpy")
 

@@ -16,7 +16,7 @@ from derive.kinds.robot._carried.checks import on_path, rows_follow
 from derive.kinds.robot._carried.facts import Facts, Integrated
 from derive.kinds.robot._carried.limits import holds, ranges_of, said_of_ranges
 from derive.kinds.robot._carried.rates import SUBSTEPS, Rates
-from derive.kinds.robot._carried.sampled import Sampled, rows_of
+from derive.kinds.robot._carried.sampled import Sampled, cleared, rows_of
 from derive.kinds.robot._carried.setting import Setting
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._units import of_variables
@@ -26,7 +26,6 @@ from derive.mechanics.task import ROWS
 
 Q_0 = Symbol("q_0")
 LISTED = 4  # every which sample is a result
-DECIMALS = 8  # of a sample: what an integration leaves of a zero is none
 FAR, MOVED = 0.02, 1e-6  # of the size of the path
 NEAR, SURE = 1e-3, 1e-6  # of accelerations by differences of differences, of rates and of what they add up to
 H = 1e-4  # of the whole time
@@ -98,7 +97,7 @@ def _listed(found: Sampled, given: Setting, rates: Rates) -> dict[str, Any]:
     """The table of the JSON."""
     some = slice(None, None, LISTED)
     names = zip(("q", "qdot", "qddot"), found.values, strict=True)
-    listed = {name: (each[some].round(DECIMALS) + 0.0).tolist() for name, each in names}
+    listed = {name: cleared(each)[some].tolist() for name, each in names}
     return {"t": found.times[some].tolist(), **listed}
 
 

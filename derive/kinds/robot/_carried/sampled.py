@@ -45,17 +45,8 @@ class Sampled:
         return Table(tuple(headings), tuple(self._row(k, orders) for k in rows))
 
     def _row(self, k: int, orders: range) -> tuple[Cell, ...]:
-        import numpy as np
-
-        found = [self.times[k], *(value for order in orders for value in self.values[order][k])]
-        most = [
-            1.0,
-            *(float(np.abs(self.values[order]).max()) for order in orders for _ in self.robot.variables),
-        ]
-        return tuple(
-            Approximate(0.0 if abs(value) < ROUNDING * size else float(value))
-            for value, size in zip(found, most, strict=True)
-        )
+        found = [self.times[k], *(value for order in orders for value in cleared(self.values[order])[k])]
+        return tuple(Approximate(float(value)) for value in found)
 
     def panels(self, in_degrees: bool) -> Panels:
         """Joint variables, rates and accelerations one above the other."""
@@ -75,6 +66,15 @@ class Sampled:
         return Panels(
             "joints", tuple(plots), caption=Phrase("drawn-joints"), alt=Phrase("seen-joints", {**told})
         )
+
+
+def cleared(values: NDArray[Any]) -> NDArray[Any]:
+    """With zeros where rounding left something else."""
+    import numpy as np
+
+    size = np.abs(values)
+    found: NDArray[Any] = np.where(size < ROUNDING * size.max(), 0.0, values)
+    return found
 
 
 def _spelt(unit: str, turned: bool) -> str:
