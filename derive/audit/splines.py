@@ -85,12 +85,23 @@ def _at(asked: Asked, point: Point, found: Spline, t: Any) -> Iterator[Test]:
     now = point.where(t=t)
     p, v, a = (found.at(t, order) for order in range(3))
     speed = _size(v)
-    for name, value in {"p": p, "v": v, "a": a, "t": [each / speed for each in v]}.items():
+    tangent = [each / speed for each in v]
+    theirs = {"p": p, "v": v, "a": a, "t": tangent}
+    along = sum(x * y for x, y in zip(tangent, a, strict=True))
+    side = [x - along * y for x, y in zip(a, tangent, strict=True)]
+    if "n" in asked.results:
+        theirs["n"] = [each / _size(side) for each in side]
+        if len(side) == 3:
+            x, y, z = tangent
+            p_n, q_n, r_n = theirs["n"]
+            theirs["b"] = [y * r_n - z * q_n, z * p_n - x * r_n, x * q_n - y * p_n]
+    else:
+        yield Holds("curvature", _near(_size(side), 0), "it is bent, and has a normal")
+    for name, value in theirs.items():
         ours = now.each(asked.result(name))
         same = isinstance(ours, Sequence) and all(map(_near, ours, value))
         yield Holds(name, same, f"it is {shown(value)}")
-    along = sum(x * y for x, y in zip(v, a, strict=True)) / speed
-    kappa = mpmath.sqrt(abs(_size(a) ** 2 - along**2)) / speed**2
+    kappa = _size(side) / speed**2
     yield Holds("curvature", _near(now.at(asked.result("curvature")), kappa), f"it is {shown(kappa)}")
 
 

@@ -162,6 +162,8 @@ def test_points_are_passed_by_the_spline_of_scipy(ends: str, t: float, tmp_path:
     for name, value in (("p", p), ("v", v), ("a", a), ("t", v / np.linalg.norm(v))):
         assert np.allclose(found[name], value), name
     assert found["curvature"] == pytest.approx(np.linalg.norm(np.cross(v, a)) / np.linalg.norm(v) ** 3)
+    b = np.cross(v, a) / np.linalg.norm(np.cross(v, a))
+    assert np.allclose(found["b"], b) and np.allclose(found["n"], np.cross(b, found["t"]))
     parts = [quad(lambda at: np.linalg.norm(theirs(at, 1)), *each)[0] for each in pairwise(times)]
     assert found["length"] == pytest.approx(sum(parts), rel=1e-6)
 
@@ -182,6 +184,20 @@ def test_what_passes_no_points_is_said(path: str, said: str, tmp_path: Path) -> 
     with pytest.raises(SheetErrors) as caught:
         asked(path, tmp_path)
     assert any(said in error.message + error.hint for error in caught.value.errors), caught.value.errors
+
+
+def test_a_spline_has_a_normal_where_it_bends(tmp_path: Path) -> None:
+    """In the plane to the left and to the right; none where the acceleration is zero, or all is straight."""
+    path = "{via: [[0, 0], [1, 2], [3, 1], [4, 2]], times: [0, 1, 2.5, 4], ends: natural}"
+    theirs = CubicSpline([0, 1, 2.5, 4], [[0, 0], [1, 2], [3, 1], [4, 2]], bc_type="natural")
+    for t in (0.5, 2.5):
+        found = asked(path, tmp_path, f"  evaluate: {{t: {t}}}")["evaluated"]
+        (x, y), a = found["t"], theirs(t, 2)
+        side = np.sign(x * a[1] - y * a[0])
+        assert np.allclose(found["n"], [-side * y, side * x])
+    assert "n" not in asked(path, tmp_path, "  evaluate: {t: 0}")["evaluated"]
+    straight = "{via: [[0, 1], [1, 2], [3, 4]], times: [0, 1, 2]}"
+    assert "n" not in asked(straight, tmp_path)["results"]
 
 
 def test_spong_has_this_cubic(tmp_path: Path) -> None:

@@ -137,7 +137,7 @@ def _by_the_time(problem: Problem, typed: bool) -> Moving:
 
 def _through_points(problem: Problem) -> Moving:
     """By the cubic spline of each coordinate."""
-    spline = splined(problem)
+    spline = splined(problem, bent=False)
     work = spline.proved(spline.results())
     p, *_ = spline.names
     way = Way(spline=spline.told, shape=None, given=(), before=(), place=p.name, s=T, rates=())

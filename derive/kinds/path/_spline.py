@@ -24,16 +24,16 @@ from derive.expression import (
     Symbol,
     add,
     column,
-    cross,
     free_symbols,
     multiply,
     number,
     symbols,
 )
 from derive.kinds.path._drawn import curve_in_the_plane, over_time
-from derive.kinds.path._frenet import E_T, KAPPA, abs_of
+from derive.kinds.path._frenet import E_B, E_N, E_T, KAPPA
 from derive.kinds.path._length import integral
 from derive.kinds.path._naming import place_name
+from derive.kinds.path._spline_bend import BENDS, FRAME, bend, in_line, sized, unit_vectors
 from derive.kinds.path._spline_checks import Told, held
 from derive.kinds.path._timing import T
 from derive.kinds.problem import Problem
@@ -56,6 +56,8 @@ class SplineTold(Record):
     points: Table
     pieces: Table
     count: int
+    bends: Phrase | None  # None where only the motion is asked for
+    frame: tuple[str, ...]  # steps of the normal and the binormal
     length: tuple[str, ...]
 
 
@@ -78,7 +80,8 @@ class Splined:
         p, v, a = self.names
         return {
             "p": p.name, "v": v.name, "a": a.name,
-            "length": self.L.name, "t": E_T.name, "curvature": KAPPA.name,
+            "length": self.L.name, "curvature": KAPPA.name,
+            "t": E_T.name, "n": E_N.name, "b": E_B.name,
         }  # fmt: skip
 
     def by_time(self, order: int) -> Matrix:
@@ -109,19 +112,20 @@ class Splined:
         return self.work.problem.final(span.start)
 
     def results(self) -> dict[str, Result]:
-        """p, v and a; the unit tangent, the curvature and the length."""
+        """p, v and a; the unit tangent, and where there are such normal and binormal; curvature, length."""
         p, v, a = (self.by_time(order) for order in range(ORDERS))
         squared = add(*(entry**2 for (entry,) in v.rows))
         speed = Call("sqrt", (squared,))
         found: dict[str, Result] = {"p": p, "v": v, "a": a, "t": column(e / speed for (e,) in v.rows)}
-        found["curvature"] = _area(v, a) / multiply(squared, speed)
+        found["curvature"] = sized(v, a) / multiply(squared, speed)
+        found |= unit_vectors(v, a, speed) if self.told.frame else {}
         if self.L in self.work.known:
             found["length"] = self.work.final(self.L)
         return found
 
     def proved(self, results: Mapping[str, Result]) -> Work:
         """With what it is held to."""
-        told = Told(self.V, self.knots, self.spans, self.told.pieces, results)
+        told = Told(self.V, self.knots, self.spans, self.told.pieces, self.told.bends, results)
         return held(self.work, self.shape, told)
 
     def drawn(self, results: Mapping[str, Result]) -> Iterator[Figure]:
@@ -135,8 +139,8 @@ class Splined:
         yield over_time((p, v, a), ends[0], ends[-1])
 
 
-def splined(problem: Problem) -> Splined:
-    """Of a problem whose subject is a path through points."""
+def splined(problem: Problem, bent: bool) -> Splined:
+    """Of a problem whose subject is a path through points; how it bends is told where that is asked for."""
     shape: Via = problem.subject.shape
     work = Work(problem)
     p = place_name(problem)
@@ -160,28 +164,19 @@ def splined(problem: Problem) -> Splined:
         Step("velocities", (V, shown), "unsolved"),
     )
     length, L = _length(work, shape, spans), Symbol(free(problem.taken, "L", "L_p", "ell"))
-    work = work.showing(*_bend(names, len(shape.places[0])))
+    frame = () if in_line(shape, work) else FRAME[: len(shape.places[0]) - 1]
+    work = work.showing(*bend(names, frame, len(shape.places[0]))) if bent else work
     work = work if length is None else work.line(L, value=length, rule="in-numbers")
     told = SplineTold(
         natural=shape.ends == "natural",
         points=_points(shape),
         pieces=_pieces(spans, decimals),
         count=len(shape.places[0]),
+        bends=Phrase(BENDS[len(frame)]) if bent else None,
+        frame=frame[::-1] if bent else (),
         length=() if length is None else (L.name,),
     )
     return Splined(work, shape, names, V, L, knots, spans, told)
-
-
-def _bend(names: tuple[Symbol, Symbol, Symbol], size: int) -> Iterator[Step]:
-    """The tangent and the curvature by velocity and acceleration; tried with (3, 4) and (1, 2)."""
-    _, v, a = names
-    speed = abs_of(v)
-    area = Call("det", (Matrix(((v, a),)),)) if size == 2 else cross(v, a)
-    rest = (0,) * (size - 2)
-    at: dict[Expr, Expr] = {v: column(map(number, (3, 4, *rest))), a: column(map(number, (1, 2, *rest)))}
-    parts = (number(3) / 5, number(4) / 5, *map(number, rest))
-    yield Step("tangent", (E_T, v / speed), "law", instance={**at, E_T: column(parts)})
-    yield Step("curvature", (KAPPA, abs_of(area) / speed**3), "law", instance={**at, KAPPA: number(2) / 125})
 
 
 def _knots(shape: Via, work: Work, coordinate: int) -> Knots:
@@ -241,18 +236,6 @@ def _differentiated(coefficients: list[Scalar], order: int) -> list[Scalar]:
 
 def _power(base: Expr, k: int) -> Expr:
     return number(1) if k == 0 else base if k == 1 else base ** number(k)
-
-
-def _area(v: Matrix, a: Matrix) -> Expr:
-    """The size of the vector product of velocity and acceleration."""
-    (x, *_), (y, *_), *rest = v.rows
-    (p, *_), (q, *_), *more = a.rows
-    flat = multiply(x, q) - multiply(y, p)
-    if not rest:
-        return Call("abs", (flat,))
-    ((z, *_),), ((r, *_),) = rest, more
-    sides = (flat, multiply(y, r) - multiply(z, q), multiply(z, p) - multiply(x, r))
-    return Call("sqrt", (add(*(side**2 for side in sides)),))
 
 
 def _letters(matrix: Matrix) -> bool:

@@ -11,7 +11,7 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point, completed, numbers
 from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
-from derive.derivation import Result, Table
+from derive.derivation import Phrase, Result, Table
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import TREES
@@ -30,12 +30,13 @@ CHORDS = 400
 @dataclass(frozen=True, slots=True)
 class Told:
     """What is told of a spline: the name of the velocities, the points and pieces of each coordinate, the
-    table of the pieces, and the results."""
+    table of the pieces, what is said of how it bends, and the results."""
 
     V: Symbol
     knots: Sequence[Knots]
     spans: Sequence[Sequence[Span]]
     pieces: Table
+    bends: Phrase | None
     results: Mapping[str, Result]
 
 
@@ -94,12 +95,32 @@ def _as_written(work: Work, shape: Via, told: Told, known: Point) -> Iterator[bo
             p, v, a = (made.at(t, order) for order in range(3))
             for name, theirs in (("p", p), ("v", v), ("a", a), ("t", v / np.linalg.norm(v))):
                 yield close(numbers(_tree(results[name]), at), theirs, NEAR)
-            across = np.linalg.norm(np.cross(np.append(v, 0.0)[:3], np.append(a, 0.0)[:3]))
-            yield close(value_of(_tree(results["curvature"]), at), across / np.linalg.norm(v) ** 3, NEAR)
+            yield from _bends(results, told.bends, v, a, at)
     if "length" in results:
         places = np.array([made.at(t, 0) for t in np.linspace(times[0], times[-1], CHORDS * len(times))])
         chords = float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
         yield close(value_of(_tree(results["length"]), known), chords, 1e-4)
+
+
+def _bends(results: Mapping[str, Result], said: Phrase | None, v: Any, a: Any, at: Point) -> Iterator[bool]:
+    """The curvature by the acceleration across the path; the unit vectors by what is left of it there."""
+    import numpy as np
+
+    t = v / np.linalg.norm(v)
+    side = a - t * (t @ a)
+    kappa = np.linalg.norm(side) / (v @ v)
+    yield close(value_of(_tree(results["curvature"]), at), kappa, NEAR)
+    if said is None:
+        return
+    if "n" not in results:
+        yield said.key == "goes-straight"
+        yield close(side, 0 * side, NEAR * max(1.0, float(np.linalg.norm(a))))
+    elif np.linalg.norm(side) > NEAR * np.linalg.norm(a):
+        yield said.key == ("bends-in-the-plane" if len(v) == 2 else "bends-in-space")
+        n = side / np.linalg.norm(side)
+        yield close(numbers(_tree(results["n"]), at), n, NEAR)
+        if "b" in results:
+            yield close(numbers(_tree(results["b"]), at), np.cross(t, n), NEAR)
 
 
 def _tree(result: Any) -> Expr:

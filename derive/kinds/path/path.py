@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
@@ -29,7 +30,8 @@ from derive.mechanics.paths import Curve, Path, Via
 
 TIMED = ("p", "v", "a", "curvature", "t", "n", "b", "s", "time")
 CLAIMED = dict.fromkeys(TIMED, "timed|all-conditions") | {"length": "all-conditions"}
-DIFFERENCES = 1e-6
+BENT = ("n", "b")  # what a path has only where it bends
+DIFFERENCES, STRAIGHT = 1e-6, 1e-9
 LENGTHS = {"steady": "length-steady", "integral": "length-integral", "quadrature": "length-quadrature"}
 
 
@@ -103,17 +105,30 @@ def derive(path: Path, options: Options, problem: Problem) -> Derivation:
 
 def _through_points(path: Path, options: Options, problem: Problem) -> Derivation:
     """The cubic spline of each coordinate."""
-    spline = splined(problem)
+    spline = splined(problem, bent=True)
     results = spline.results()
     work = spline.proved(results)
     pictures = tuple(spline.drawn(results))
     facts = Facts(
-        spline=spline.told, pictures=tuple(each.name for each in pictures), page_names=spline.on_page
-    )
+        spline=spline.told, pictures=tuple(each.name for each in pictures), page_names=spline.on_page,
+        numbers=tuple(name for name in results if name not in BENT),
+    )  # fmt: skip
     answer = work.answer("path", results, facts, plots=pictures)
     if options.evaluate is not None:
         _require_between(spline.shape, dict(options.evaluate), problem)
-    return _evaluated(answer, options, problem)
+    return _where_bent(_evaluated(answer, options, problem), spline.shape, problem)
+
+
+def _where_bent(answer: Derivation, shape: Via, problem: Problem) -> Derivation:
+    """Without a normal at a point where the path does not bend."""
+    found = answer.evaluated or {}
+    kappa, v = found.get("curvature"), found.get("v", ())
+    if not isinstance(kappa, float) or not all(isinstance(each, float) for each in v):
+        return answer
+    point = point_of({"begin": shape.times[0], "end": shape.times[-1]}, problem.where)
+    if kappa * math.hypot(*v) * (point["end"] - point["begin"]) > STRAIGHT:
+        return answer
+    return replace(answer, evaluated={name: each for name, each in found.items() if name not in BENT})
 
 
 def _require_between(shape: Via, at: Mapping[str, Expr], problem: Problem) -> None:
