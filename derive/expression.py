@@ -383,10 +383,15 @@ def rebuild(expr: Expr, change: Callable[[Expr], Expr]) -> Expr:
 
 
 def measured(value: Expr, unit: str) -> Expr:
-    """A number with its unit; of one in degrees they are a part."""
+    """A number, pi/4 too, with its unit; of one in degrees they are a part."""
     if isinstance(value, Degrees):
         unit = unit.removeprefix("deg")
-    return Measured(value, unit) if unit and isinstance(value, Number | Degrees) and value != ZERO else value
+    whole = isinstance(value, Number | Degrees) or (not free_symbols(value) and _has_no_unit(value))
+    return Measured(value, unit) if unit and whole and value != ZERO else value
+
+
+def _has_no_unit(expr: Expr) -> bool:
+    return not any(isinstance(node, Matrix | Measured | Degrees | Approximate) for node in walk(expr))
 
 
 def unmeasured(expr: Expr) -> Expr:

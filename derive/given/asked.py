@@ -114,6 +114,13 @@ def _worded(key: str, words: Mapping[Any, str]) -> Said:
     return lambda value, _: Datum(Phrase(f"{key}-{value}"), words=(words[value],)) if value in words else None
 
 
+def _axes(frame: str, options: Any) -> Datum | None:
+    """In which axes the answer is wanted; or in which a force is given."""
+    if frame == "tool" and hasattr(options, "force"):
+        return Datum(Phrase("force-in-tool"), words=("own frame|axes of the hand",))
+    return _worded("in", {"tool": "tool|own frame|end-effector", "body": "body"})(frame, options)
+
+
 def _counted(key: str) -> Said:
     return lambda value, _: Datum(Phrase(key, {"value": measured(value)}))
 
@@ -168,7 +175,7 @@ SAID: dict[str, Said] = {
     "source": _frames,
     "to": _frame,
     "kind": _worded("kind", {"analytic": "analytic|euler"}),
-    "frame": _worded("in", {"tool": "tool|own frame|end-effector", "body": "body"}),
+    "frame": _axes,
     "notation": _worded("notation", {"khatib": "khatib|B"}),
     "gain": lambda value, _: _counted("gain")(value, _) if not isinstance(value, tuple) else _gains(value),
     "ends": _worded("ends", {"natural": "natural|accelerations?"}),

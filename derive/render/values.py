@@ -112,11 +112,14 @@ class Values:
             return ((), (_measured(self._degrees(tree), unit, True),))
         fraction = rational(tree) if self._decimal() and not isinstance(tree, Number) else None
         if fraction is not None:
-            return ((tree, _measured(self._number(Number(fraction)), unit, angle)), ())
+            return (
+                (_measured(tree, unit, angle), _measured(self._number(Number(fraction)), unit, angle)),
+                (),
+            )
         said = self._number(tree) if self._decimal() else tree
         if unit is None or _is_simple(said) or isinstance(said, Number | Degrees | Approximate):
             return ((_measured(said, unit, angle),), ())
-        return ((said,), (_measured(self._decimals(said), unit, angle),))
+        return ((_measured(said, unit, angle),), (_measured(self._decimals(said), unit, angle),))
 
     # -- numbers ----------------------------------------------------------------------------------
 

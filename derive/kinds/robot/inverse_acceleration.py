@@ -26,7 +26,7 @@ CLAIMS = ("acceleration-met",)
 CLAIMED = {"qddot": "acceleration-met"}
 measures = of_joints("qddot", power=2)
 POINTS, NEAR = 3, 1e-4
-J_DOT, Q_DOT, Q_DDOT = symbols("J_dot q_dot q_ddot")
+J_DOT, Q_DOT, Q_DDOT, V_DOT, R_DDOT = symbols("J_dot q_dot q_ddot v_dot r_ddot")
 WANTED = {"vx": "ax", "vy": "ay", "vz": "az", "wx": "alphax", "wy": "alphay", "wz": "alphaz"}
 
 
@@ -60,12 +60,16 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     rates = problem.ask("inverse-velocity", task=options.task, **asked)
     change = problem.ask("jacobian-derivative", task=options.task, **asked)
     wanted = tuple(Symbol(_wanted(task, k)) for k in range(len(task.rows)))
-    a, b = (Symbol(free(problem.taken, letter, f"{letter}_w")) for letter in ("a", "b"))
-    work = Work(problem).resting_on(rates, change).knowing({a: column(wanted), Q_DOT: column(task.rates)})
+    b, a = Symbol(free(problem.taken, "b", "b_w")), wanted[0]
+    work = Work(problem).resting_on(rates, change).knowing({Q_DOT: column(task.rates)})
+    if len(wanted) > 1:
+        a = R_DDOT if options.task else V_DOT
+        work = work.knowing({a: column(wanted)})
     work = work.line(b, a - J_DOT * Q_DOT, rule="rest", label="b").closed(b)
     parts = (b,) if len(wanted) == 1 else tuple(Symbol(f"{b.name}_{k}") for k in range(1, len(wanted) + 1))
     in_parts = dict[Expr, Expr](zip(task.velocities, parts, strict=True))
-    known = dict[Expr, Expr](zip(parts, work.entries(b), strict=True))
+    entries = work.entries(b) if len(wanted) > 1 else (work[b],)
+    known = dict[Expr, Expr](zip(parts, entries, strict=True))
     told = next((step.result for step in rates.steps if step.name == "qdot"), rates.matrix("qdot"))
     shown = replace(told, in_parts)  # in the names of minors, where it has such
     work = work.knowing(known).line(Q_DDOT, value=shown, rule="solve", label="qddot")

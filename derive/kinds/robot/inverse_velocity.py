@@ -102,7 +102,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         rows=task.velocities,
         zero=(solved.zero,),
         least=None if task.square else _least(task.redundant),
-        spare=Phrase("null-space") if task.redundant else None,
+        spare=Phrase("null-space", {"rows": task.velocities}) if task.redundant else None,
         of_functions=bool(options.task),
         by_joint=BY_JOINT,
     )
@@ -117,7 +117,7 @@ def _as_equations(task: Task, of_functions: bool) -> Derivation:
         rows=task.velocities,
         zero=((determinant(J if task.square else A), ZERO),),
         least=None if task.square else _least(task.redundant),
-        spare=Phrase("null-space") if task.redundant else None,
+        spare=Phrase("null-space", {"rows": task.velocities}) if task.redundant else None,
         of_functions=of_functions,
         by_joint=BY_JOINT,
     )

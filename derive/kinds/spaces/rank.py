@@ -37,6 +37,7 @@ from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._velocity.functions import functions_given
+from derive.kinds.spaces._falls import falls, seen
 from derive.kinds.spaces._linear_map import LinearMap, MapOptions, linear_map
 from derive.kinds.spaces._span import Span, solution, span
 from derive.kinds.values_at import Here, values_at
@@ -75,6 +76,9 @@ class Facts(PageFacts):
     nullity: int  # of J
     spare: int  # of its transpose
     leads: tuple[Expr, ...]  # where one of them vanishes the rank may be lower
+    alone: tuple[Expr, ...] = ()  # it is where one of these does
+    together: tuple[Expr, ...] = ()  # or all of these do
+    just: bool = False  # there it is lower by one
     J: Symbol
     empty: tuple[bool, bool, bool]  # null space, range, left null space
     judged: str = ""  # "feasible", "feasible-where", "infeasible"
@@ -98,6 +102,10 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
     results: dict[str, Result] = {"rank": Number(Fraction(spaces.rank))}
     for key, name, basis in zip(SPACES, names, (spaces.null, spaces.range, spaces.left), strict=True):
         results[key] = work[name] if basis else ()
+    leads = _leads(found, spaces)
+    lower = falls(found, spaces.rank, _nonzero(found)) if leads else None
+    if lower:
+        work = work.claim(route("rank-falls", seen(found, lower, spaces.rank, _places(found))))
     facts = Facts(
         sort=found.sort,
         place=tuple((Symbol(name), value) for name, value in found.place),
@@ -105,7 +113,10 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
         rank=spaces.rank,
         nullity=len(spaces.null),
         spare=len(spaces.left),
-        leads=_leads(found, spaces),
+        leads=leads,
+        alone=lower.alone if lower else (),
+        together=lower.together if lower else (),
+        just=bool(lower and lower.just),
         J=found.name,
         empty=(not spaces.null, not spaces.range, not spaces.left),
     )
@@ -200,10 +211,7 @@ def _spans(work: Work, found: LinearMap, spaces: Span, names: Sequence[Symbol], 
 def _leads(found: LinearMap, spaces: Span) -> tuple[Expr, ...]:
     """Where one of these vanishes the rank may be lower; none where the minors cannot vanish together.
     Lengths of an arm are nonzero."""
-    problem, J = found.problem, found.J
-    nonzero = frozenset(name for name, what in problem.assumptions.items() if what in ("positive", "nonzero"))
-    if found.sort != "matrix":
-        nonzero |= found.symbols - {*found.variables}
+    problem, J, nonzero = found.problem, found.J, _nonzero(found)
 
     def never_zero(value: Scalar) -> bool:
         return sign_of(value, nonzero) is not None and value.letters() <= nonzero
@@ -214,6 +222,13 @@ def _leads(found: LinearMap, spaces: Span) -> tuple[Expr, ...]:
             return ()
     told = (problem.readable(primitive(each)) for each in spaces.leads if not never_zero(each))
     return tuple(dict.fromkeys(map(_unsigned, told)))
+
+
+def _nonzero(found: LinearMap) -> frozenset[str]:
+    """The names of what is not zero; lengths of an arm are not."""
+    known = found.problem.assumptions.items()
+    nonzero = frozenset(name for name, what in known if what in ("positive", "nonzero"))
+    return nonzero if found.sort == "matrix" else nonzero | found.symbols - {*found.variables}
 
 
 def _unsigned(tree: Expr) -> Expr:
