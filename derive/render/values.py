@@ -15,11 +15,12 @@ from typing import TypeAlias
 from derive.algebra.formulas.dimensions import Unlike, dimension_of_formula
 from derive.algebra.formulas.quantities import rational
 from derive.algebra.formulas.units import dimension_of, unit_of
+from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import number
-from derive.algebra.rationals import significant_digits
+from derive.algebra.rationals import decimal_places, significant_digits
 from derive.algebra.readable.terms import Style
 from derive.derivation import Phrase
-from derive.errors import NotAsWritten, NotDerivable
+from derive.errors import FormulaError, NotAsWritten, NotDerivable
 from derive.expression import (
     ONE,
     PI,
@@ -48,6 +49,7 @@ SPARE = 2  # digits more than a sheet asks for, before an exact number is rounde
 LONG = 10**7  # a fraction with more is rounded where no decimals were typed either
 STRUCTURAL = 60  # the largest denominator of a law, m L^2/12
 WHOLE = 1e-9  # degrees
+BEFORE_THE_POINT = 4  # digits: thousands are read as whole numbers are
 ONE_DEGREE = Degrees(Fraction(1))
 
 Chain: TypeAlias = tuple[Expr, ...]
@@ -162,6 +164,9 @@ class Values:
         size = self.degrees(tree)
         if abs(size - round(size)) < WHOLE:
             return Degrees(Fraction(round(size)))
+        exact = _degrees_of_turn(tree)
+        if exact is not None and _digits(exact) <= self._most:
+            return Degrees(exact)
         return Product((Approximate(size), ONE_DEGREE))
 
     def _turned(self, tree: Expr) -> Expr:
@@ -251,9 +256,25 @@ def _is_bare(node: Expr) -> bool:
 
 
 def _digits(value: Fraction) -> float:
-    """How many a decimal number has; of a whole one none that counts."""
-    found = significant_digits(value)
-    return 0 if value.denominator == 1 else inf if found is None else found
+    """How many a decimal number has; of a whole one none that counts, and of others no more than some before
+    the point."""
+    found, places = significant_digits(value), decimal_places(value)
+    return (
+        0
+        if places == 0
+        else inf
+        if found is None or places is None
+        else min(found, places + BEFORE_THE_POINT)
+    )
+
+
+def _degrees_of_turn(tree: Expr) -> Fraction | None:
+    """An angle that is a fraction of a turn, in degrees; None of any other."""
+    try:
+        turn = normal(Quotient(tree, PI)).constant
+    except (FormulaError, NotDerivable):
+        return None
+    return None if turn is None else Fraction(turn) * 180
 
 
 def _common(units: Iterable[str | None]) -> str | None:

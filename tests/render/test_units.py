@@ -211,3 +211,15 @@ def test_a_time_is_never_in_degrees_and_an_angle_is_where_they_were_typed(tmp_pa
     page = render(document(f"{text}  evaluate: {point}\n", tmp_path), "md")
     said = r"t_b \approx 0.333\ \mathrm{s} \qquad v = 60^\circ/\mathrm{s} \qquad a = 180^\circ/\mathrm{s}^2"
     assert said in page
+
+
+@pytest.mark.parametrize(
+    ("position", "said"), [(11, r"= 247.5^\circ"), (1, r"= 22.5^\circ")], ids=["tenths", "less"]
+)
+def test_an_angle_that_is_short_is_exact(position: int, said: str, tmp_path: Path) -> None:
+    """It is a fraction of a turn, with fewer digits than numbers are rounded to."""
+    text = (
+        "title: A code\nproblems:\n- sensor: {encoder: absolute, bits: 4}\n"
+        f"  find: gray-code\n  position: {position}\n"
+    )
+    assert said in render(document(text, tmp_path), "md")

@@ -15,10 +15,12 @@ import sympy
 
 from derive.build import derive_all
 from derive.errors import NotDerivable, SheetErrors
+from derive.kinds.robot._inverse.progress import Progress
 from derive.sheet.load import load_sheet
 from derive.writing import render
 from tests.kinds.robot.arms import ARMS, Arm
 from tests.mechanics.robots import problem, robot, row
+from tests.sheets import ROOT
 
 REAL = "symbols: {d4: real}\n"  # no joint variable, though it reads like one
 
@@ -252,3 +254,29 @@ def test_one_condition_for_one_region(tmp_path: Path) -> None:
     page = render(document, "md")
     assert page.count("real where") == 1
     assert r"They are real where $x^2 + y^2 \geq d_2^2$" in page
+
+
+def test_what_cannot_vanish_is_no_condition(tmp_path: Path) -> None:
+    """Of 2 + 1.5 c_3 = 0 nothing is said, of 2 + 2 c_3 = 0 it is."""
+    rows = "    - {{theta: theta{}*, d: {}, a: {}, alpha: {} deg}}\n"
+    for length, vanishes in (("1.5", False), ("2", True)):
+        sheet = tmp_path / f"arm{length}.yaml"
+        links = (("1", "0", "1", "-90"), ("2", "1", "2", "90"), ("3", "0", length, "0"))
+        sheet.write_text(
+            "title: A test\nproblems:\n- robot:\n    links:\n" + "".join(rows.format(*row) for row in links)
+            + "  find: inverse-kinematics\n  given: [x, y, z]\n", encoding="utf-8",
+        )  # fmt: skip
+        (document,) = derive_all([load_sheet(sheet)], True, lambda _: None)
+        assert ("these equations do not determine" in render(document, "md")) == vanishes
+
+
+def test_another_branch_may_be_real(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Out of reach is a pose where no choice that was made before decides; where one does, that is said."""
+    sheet = load_sheet(ROOT / "exercises" / "inverse-kinematics.yaml")
+    (document,) = derive_all([sheet], True, lambda _: None)
+    page = render(document, "md")
+    assert r"smaller there is no solution with this $\theta_1$." in page
+    assert r"otherwise the pose is out of reach." in page
+    monkeypatch.setattr(Progress, "rests_on", lambda *_: ())
+    with pytest.raises(SheetErrors):
+        derive_all([load_sheet(ROOT / "exercises" / "inverse-kinematics.yaml")], True, lambda _: None)

@@ -11,12 +11,13 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import Compiled, compiled
 from derive.expression import ONE, Expr, Relation, Symbol, free_symbols, replace
 from derive.kinds.checks import close
-from derive.kinds.robot._inverse.subproblem import Solved
+from derive.kinds.robot._inverse.subproblem import Item, Solved, defined
 from derive.kinds.robot._inverse.target import Values
 
 SAME = 1e-7
 DRAWN, LEAST = 40, 6  # points drawn, and those that have to count
 SPREAD = 2.0
+AWAY = 0.37  # by which a joint is moved
 Swing = tuple[float, float]  # a and b of a cos q + b sin q, or of b d alone
 
 
@@ -88,6 +89,25 @@ def real(solved: Solved, before: Sequence[Solved] = ()) -> Iterator[bool]:
         yield holds == _is_real(formula, at)
     if met < LEAST:
         yield False
+
+
+def decided(solved: Solved, items: Sequence[Item], known: Values, joints: Sequence[str]) -> Iterator[bool]:
+    """Whether a value is real changes, the pose being the same, with no joints but those that are said to
+    decide it, and with one of these."""
+    conditions = [compiled(each) for each in _conditions(solved)]
+    if not conditions:
+        return
+
+    def margins(at: Values) -> list[float]:
+        there = defined(items, at)
+        return [margin(there) for margin in conditions]
+
+    here, told = margins(known), {each.name for each in solved.facts.resting}
+    changing = {
+        name for name in joints if not close(margins({**known, name: known[name] + AWAY}), here, SAME)
+    }
+    yield changing <= told
+    yield bool(changing) == bool(told)
 
 
 def _is_real(formula: Compiled, at: Values) -> bool:

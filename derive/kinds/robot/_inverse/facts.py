@@ -93,6 +93,7 @@ class SolvedFacts(Record):
     open: Phrase | None
     orientation: bool
     whole: bool  # whether a position and an orientation are wanted
+    resting: tuple[Symbol, ...]  # the joints, found before, that decide whether a value is real
     sides: tuple[Expr, ...]  # the known ones of equations that stand above
     names: tuple[Step, ...]
     equations: tuple[Step, ...]

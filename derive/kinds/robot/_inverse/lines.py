@@ -63,6 +63,8 @@ class Lines:
         for k, solved in enumerate(self.worked.solved):
             yield from breaks.real(solved, self.worked.solved[: solved.number])
             rates = course(solved, self.worked.solved[:k], turning)
+            for _, known in tried[:READ]:
+                yield from breaks.decided(solved, self.worked.all_items, known, self.target.joints)
             for taken, known in tried:
                 yield from breaks.determined(solved, known, rates)
                 yield from breaks.turned(solved, known)

@@ -106,6 +106,15 @@ class Progress:
             found = (found - known).union(*(named[name].letters() for name in known))
         return found
 
+    def rests_on(self, *trees: Expr) -> tuple[Symbol, ...]:
+        """The joint variables in these, and in what their names stand for, in the order of the arm."""
+        meant = {item.name.name: item.value for item in self.items if isinstance(item, Definition)}
+        meant |= {each.named.name: each.head for each in self.solved if each.named is not None}
+        found = frozenset[str]().union(*map(free_symbols, trees))
+        while known := found & meant.keys():
+            found = (found - known).union(*(free_symbols(meant[name]) for name in known))
+        return tuple(Symbol(name) for name in self.problem.subject.variables if name in found)
+
     def angle(self, form: Form) -> Expr:
         """theta2 + theta3 as it is printed in its cosine."""
         total = Scalar.of(0)

@@ -7,9 +7,10 @@ from dataclasses import replace
 
 from derive.algebra.angles import Form
 from derive.algebra.infix import text
+from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.derivation import Phrase, Step
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Relation, Symbol
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._inverse.compared import Poses
 from derive.kinds.robot._inverse.facts import Compared, Method, SolvedFacts
@@ -18,6 +19,7 @@ from derive.kinds.robot._inverse.signs import all_negative, begins_negative, opp
 from derive.kinds.robot._inverse.subproblem import Choice, Definition, Solved
 from derive.mechanics.inverse.subproblems import Joined, Reach, SubProblem, equations_of
 from derive.mechanics.poses import rotation_part
+from derive.mechanics.zeros import never_zero
 
 ORDER = ("name", "equation", "squares", "aside", "solved", "choice")  # of steps on the page
 BY_ROOT = (
@@ -44,6 +46,7 @@ OPEN = {
     "direction": "singular-if", "difference": "arbitrary-only-if", "zero": "arbitrary-if",
     "determinant": "no-determinant", "slide": "no-slope",
 }  # fmt: skip
+ALL_TOGETHER = ("difference", "zero")  # what must not vanish, must not all at once
 
 
 class Solving:
@@ -91,6 +94,7 @@ class Solving:
         """The unknown has these values; `shown` are they as the page writes them, where that differs. Joints
         and signs that are decided so are known from now on."""
         progress, unknown = self.progress, self.found.unknown
+        method = replace(method, unless=self._where_it_breaks(method))
         self._sides_named()
         told = [choice.value for choice in shown or choices]
         if method.by_name and isinstance(unknown, Form) and len(unknown.parts) > 1:
@@ -119,6 +123,7 @@ class Solving:
             negative=opposite(side) if side and all_negative(side) else None,
             orientation=progress.goal.R is not None and None in progress.goal.p,
             whole=progress.goal.R is not None and None not in progress.goal.p,
+            resting=self._resting(choices, method),
             sides=self._sides() if method.name in ("direction", "difference") else (),
             names=self.by("name"),
             equations=self.by("equation"),
@@ -167,12 +172,30 @@ class Solving:
         key = "joined-equations" if joined else "same-equations"
         return Phrase(key, {"known": before[-1].facts.called})
 
+    def _where_it_breaks(self, method: Method) -> tuple[Relation, ...]:
+        """What must not vanish, if it can."""
+        found = tuple(each for each in method.unless if self._may_hold(each))
+        return () if method.name in ALL_TOGETHER and len(found) < len(method.unless) else found
+
+    def _may_hold(self, zero: Relation) -> bool:
+        """Whether something may vanish; numbers may keep sines and cosines from it."""
+        variables = tuple(self.problem.subject.variables)
+        value = None if isinstance(zero.left, Relation) else normal(zero.left)
+        return value is None or not (value.letters() <= {*variables} and never_zero(value, variables))
+
     def _open(self, method: Method, unknown: Expr) -> Phrase | None:
         """Where the rule says nothing of the unknown."""
         if not method.unless:
             return None
         key = "singular-and-arbitrary-if" if self._matters_no_more(method, unknown) else OPEN[method.name]
         return Phrase(key, {"zeros": method.unless, "unknown": unknown})
+
+    def _resting(self, choices: Sequence[Choice], method: Method) -> tuple[Symbol, ...]:
+        """The joints found before on which it rests whether the value is real."""
+        if method.bound is not None:
+            sides = (method.bound.left, method.bound.right)
+            return self.progress.rests_on(*(side for side in sides if not isinstance(side, Relation)))
+        return self.progress.rests_on(*(each.value for each in choices)) if method.exists is not None else ()
 
     def _matters_no_more(self, method: Method, unknown: Expr) -> bool:
         """Whether a slide at zero, which leaves the unknown open, takes it out of all that is known."""
