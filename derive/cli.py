@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+from click.core import ParameterSource
 
 from derive.errors import SheetErrors
 from derive.messages import guarded, page, progress, report, say, warn
@@ -160,13 +162,11 @@ def _build(
         raise click.UsageError("--problems leaves out the answers that --audit is about")
     if explain and problems:
         raise click.UsageError("--problems leaves out the answers that --explain is about")
-    import gc
-
     from derive.build import build as build_sheets
     from derive.render.own_templates import dressed
     from derive.writing import PagesFailed
 
-    gc.set_threshold(100_000, 50, 50)  # trees are many and hold no cycles
+    _collect_seldom()
     try:
         with dressed(templates), progress() as step:
             seen: list[Document] = []
@@ -195,6 +195,13 @@ def _build(
 
         for line in explained(seen):
             say(line)
+
+
+def _collect_seldom() -> None:
+    """Trees are many and hold no cycles."""
+    import gc
+
+    gc.set_threshold(100_000, 50, 50)
 
 
 def _looked(audit: bool, seen: list[Document], step: Progress) -> Audit:
@@ -379,9 +386,19 @@ def schema() -> None:
 
 @main.command()
 @click.argument("sheet", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option("--serve", is_flag=True, help="Show it in the browser and write nothing.")
+@click.option(
+    "--port", type=click.IntRange(0, 65535), default=0, help="Where to serve; left out, any free one."
+)
+@click.option("--open", "opened", is_flag=True, help="Open the browser there.")
 @_build_options
+@click.pass_context
 def watch(
+    ctx: click.Context,
     sheet: Path,
+    serve: bool,
+    port: int,
+    opened: bool,
     formats: tuple[str, ...],
     output: str,
     problems: bool,
@@ -393,45 +410,46 @@ def watch(
     templates: Path | None,
     pdf_engine: str,
 ) -> None:
-    """Rebuild a sheet whenever it, a YAML file beside it or a template is saved. Ctrl-C ends it."""
-    from watchfiles import watch as changes
+    """Rebuild a sheet whenever it, a file beside it or a template is saved. Ctrl-C ends it.
+
+    With --serve a page in the browser follows it: it shows the faults while the sheet is wrong, and keeps the
+    last good page and the place where it is read.
+    """
+    given = [name for name in ctx.params if ctx.get_parameter_source(name) is ParameterSource.COMMANDLINE]
+    _refuse_together(serve, given)
+    if serve:
+        from derive.live.following import Wanted, follow
+
+        _collect_seldom()
+        wanted = Wanted(problems, space, steps, not no_figures, templates)
+        with suppress(KeyboardInterrupt), guarded():
+            follow(sheet, wanted, port, click.launch if opened else lambda _: None)
+        return
+    from derive.live.saves import saves
 
     if output == "-":
         raise click.UsageError("a watched sheet is written to a directory, not printed")
+    target = Path(output)
 
     def again() -> None:
-        try:
-            with guarded():
-                _build(
-                    (sheet,),
-                    formats,
-                    Path(output),
-                    problems,
-                    space,
-                    steps,
-                    audit,
-                    explain,
-                    no_figures,
-                    templates,
-                    pdf_engine,
-                )
-        except SystemExit:  # the faults are printed already
-            pass
+        with suppress(SystemExit), guarded():  # the faults are printed already
+            _build(
+                (sheet,), formats, target, problems, space, steps, audit, explain, no_figures, templates,
+                pdf_engine,
+            )  # fmt: skip
         say(f"watching {sheet}; Ctrl-C ends it")
 
-    try:
+    with suppress(KeyboardInterrupt):
         again()
-        for changed in changes(sheet.parent, *filter(None, [templates])):
-            if any(_is_source(Path(path), templates) for _, path in changed):
-                again()
-    except KeyboardInterrupt:
-        return
+        for _ in saves(sheet, templates, target):
+            again()
 
 
-def _is_source(path: Path, templates: Path | None) -> bool:
-    """Whether a page is made of it."""
-    from derive.sheet.exchange.files import ENDINGS
-
-    return path.suffix in (".yaml", ".yml", *ENDINGS) or (
-        templates is not None and path.resolve().is_relative_to(templates.resolve())
-    )
+def _refuse_together(serve: bool, given: Sequence[str]) -> None:
+    """Raises UsageError for options that say nothing about what is watched."""
+    names = {"formats": "--format", "opened": "--open", "pdf_engine": "--pdf-engine"}
+    idle = ("formats", "output", "pdf_engine", "audit", "explain") if serve else ("port", "opened")
+    for each in given:
+        if each in idle:
+            said = "shows a page and writes none" if serve else "is missing"
+            raise click.UsageError(f"{names.get(each, f'--{each}')} is not for this: --serve {said}")

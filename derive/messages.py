@@ -45,11 +45,16 @@ def guarded() -> Iterator[None]:
             raise
         if (behind := _behind(error)) is not None:
             _refused(behind)
-        summary = (str(error).splitlines() or [""])[0]
-        where = getattr(error, "__notes__", [""])[0]
-        click.echo(f"{where}derive failed, and should not have: {type(error).__name__}: {summary}", err=True)
-        click.echo(f"{REPORT}; DERIVE_DEBUG=1 shows where", err=True)
+        click.echo(apology(error), err=True)
         sys.exit(1)
+
+
+def apology(error: Exception) -> str:
+    """Two lines on what should not have happened."""
+    summary = (str(error).splitlines() or [""])[0]
+    where = getattr(error, "__notes__", [""])[0]
+    failed = f"{where}derive failed, and should not have: {type(error).__name__}: {summary}"
+    return f"{failed}\n{REPORT}; DERIVE_DEBUG=1 shows where"
 
 
 def _refused(error: OSError) -> NoReturn:

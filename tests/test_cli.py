@@ -65,7 +65,9 @@ def test_nothing_is_written_if_one_sheet_is_wrong(folder: Path) -> None:
         ("week1.yaml", "--what"),
         ("week1.yaml", "--output", "-"), ("week1.yaml", "--format", "pdf", "--output", "-"), ("build",),
         ("new", "week1"), ("empty",), ("bild", "week1.yaml"), ("watch", "empty"),
-        ("watch", "week1.yaml", "--output", "-"),
+        ("watch", "week1.yaml", "--output", "-"), ("watch", "week1.yaml", "--port", "8000"),
+        ("watch", "week1.yaml", "--serve", "--format", "md"),
+        ("watch", "week1.yaml", "--serve", "--port", "x"),
         ("week1.yaml", "second.yaml", "--format", "md", "--output", "-"),
     ],
 )  # fmt: skip
