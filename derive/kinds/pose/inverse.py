@@ -39,9 +39,9 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     turned, inverse = transpose(R), Call("inverse", (given.name,))
     blocks = Matrix(((turned, -multiply(turned, O)), (NO_ROW, ONE)))
     back_name = _back(given.name)
-    names = (inverse,) if back_name is None else (back_name, inverse)
+    name = inverse if back_name is None else back_name  # of which the product then shows what it is
     value = inverse_pose(given.T)
-    work = work.line(*names, blocks, value=value, rule="inverse", label="T").closed(names[0])
+    work = work.line(name, blocks, value=value, rule="inverse", label="T").closed(name)
     exact = work.steps[-1].result
     if back_name is not None:
         one = problem.readable_matrix(ScalarMatrix.identity(4))

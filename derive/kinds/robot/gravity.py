@@ -8,6 +8,7 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.kinds.robot._dynamics.at_rest import NEARLY, Rubbing, held_by_friction
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._efforts import efforts
 from derive.kinds.robot._units import of_energies, of_joints, together
@@ -26,6 +27,7 @@ P, G_0 = symbols("P g_0")
 
 class Facts(PageFacts):
     efforts: Phrase  # what holds the arm at rest
+    rubbing: tuple[Phrase, ...]  # the joints that dry friction holds too
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -44,7 +46,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     g = column(map(work.final, slopes))
     work = work.agrees("torques-at-rest", problem.symbols | {"g"}, g, oracle_of(problem).torques_at_rest)
     results = {"P": work.final(P), "g": g}
-    return by_index(work, results).answer("gravity", results, Facts(efforts=efforts(robot)))
+    facts = Facts(efforts=efforts(robot), rubbing=held_by_friction(robot))
+    if any(link.friction for link in robot.links):
+        told = Rubbing(oracle_of(problem), facts.rubbing)
+        work = work.agrees(
+            "dry-friction-told", problem.symbols | {"g"}, told.as_told, told.as_it_moves, NEARLY
+        )
+    return by_index(work, results).answer("gravity", results, facts)
 
 
 def _energy(work: Work, body: Weighted) -> Work:

@@ -17,6 +17,7 @@ from derive.expression import (
     Expr,
     Matrix,
     Measured,
+    Relation,
     Symbol,
     add,
     children,
@@ -55,6 +56,7 @@ from derive.mechanics.task import ROWS, moving_rows
 CLAIMED = {"iterations": "as-listed", "solution": "last-row"}
 CLAIMS = ("rows-in-numbers", "place", "begun", "numbered", "errors", "ended", "as-listed", "last-row")
 J, R, F, ALPHA = symbols("J r_d f alpha")
+ERROR = Relation(E, "=", R - F)
 BOUND = number(10) ** number(-10)  # of an error that is none
 
 
@@ -133,6 +135,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.agrees("place", problem.symbols, forward, again.place)
     told = {name.name: value_of(value, {}) for name, value in solution}
     work = work.claim(*again.claims(table, listed, here, run.verdict, told))
+    errors = [said.about["e"] for said in (facts.newton, facts.pseudo, facts.gradient) if said]
+    work = work.claim(route("error-told", (again.tells(each, here) for each in errors))) if errors else work
     if _explained(problem, options):
         work = replace(work, steps=work.steps[:1])
     if facts.outlook and "share" in facts.outlook.about:
@@ -276,9 +280,9 @@ def _facts(arm: Arm, options: Options, run: Iteration, table: Table) -> Facts:
     first = not again
     return Facts(
         again=Phrase("newton-again" if newton else "gradient-again") if again else None,
-        newton=Phrase("newton") if first and newton and arm.task.square else None,
-        pseudo=Phrase("newton-pseudo") if first and newton and not arm.task.square else None,
-        gradient=None if newton or again else Phrase("gradient"),
+        newton=Phrase("newton", {"e": ERROR}) if first and newton and arm.task.square else None,
+        pseudo=Phrase("newton-pseudo", {"e": ERROR}) if first and newton and not arm.task.square else None,
+        gradient=None if newton or again else Phrase("gradient", {"e": ERROR}),
         best=Phrase("best-step", {"f": F}) if first and not newton and fixed is None else None,
         alpha=(ALPHA, fixed) if fixed is not None and first else None,
         measure=None if explained or not last else Phrase("measure", {"r_d": R, "f": F}),

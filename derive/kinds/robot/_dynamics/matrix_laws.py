@@ -65,17 +65,18 @@ def speed_law() -> Step:
 
 
 def regressor_laws() -> tuple[Step, Step]:
-    """tau = Y Theta, and the same column by column."""
-    Y, small, theta = symbols("Y Y_b Theta")
+    """tau = Y Theta, and the same of the parameters that are left, column by column."""
+    Y, small, theta, kept = symbols("Y Y_b Theta Theta_b")
     matrix, values = _rows((1, 2, 3), (4, 0, -5)), _rows((2,), (-1,), (7,))
-    case: dict[Expr, Expr] = {Y: matrix, small: matrix, theta: values, Symbol("tau"): _rows((21,), (-27,))}
+    case: dict[Expr, Expr] = {Y: matrix, small: matrix, **dict.fromkeys((theta, kept), values)}
+    case[Symbol("tau")] = _rows((21,), (-27,))
     total = over("k", *symbols("y_k Theta_k"))
     columns: dict[Expr, Expr] = {Symbol(f"y_{k}"): column(matrix.T.rows[k - 1]) for k in (1, 2, 3)}
     columns |= {Symbol(f"Theta_{k}"): values.rows[k - 1][0] for k in (1, 2, 3)}
     case[total] = written_out(total, {}, columns)
     return (
         in_general("tau", Y * theta, case),
-        Step("columns-law", (Symbol("tau"), small * theta, total), "law", instance=case),
+        Step("columns-law", (Symbol("tau"), small * kept, total), "law", instance=case),
     )
 
 

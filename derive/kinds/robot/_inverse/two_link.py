@@ -13,7 +13,7 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Cell, Claim, Condition, Derivation, Drawing, Phrase, Step
+from derive.derivation import Branch, Cell, Claim, Condition, Derivation, Drawing, Phrase, Said, Step
 from derive.expression import (
     ONE,
     PI,
@@ -191,8 +191,17 @@ class _Writing:
                 ElbowTold(when=when, step=elbow.replace("-", "_"))
                 for elbow, when in zip(ELBOWS, conditions, strict=True)
             ),
-            folded=Phrase("folded", {"theta_1": self.theta_1}) if self.a_1 == self.a_2 else None,
+            folded=self._folded(),
         )
+
+    def _folded(self) -> Phrase | None:
+        """That the end-effector may come to lie on the first axis, where the lengths are or can be equal."""
+        one, other = self.lengths
+        about: dict[str, Said] = {"theta_1": self.theta_1}
+        if self.a_1 == self.a_2:
+            return Phrase("folded", about)
+        can_be = Work(self.problem).sign(one - other) is None
+        return Phrase("folded-if-equal", {**about, "equal": Relation(one, "=", other)}) if can_be else None
 
     def elbows(self, told: Triangle) -> Drawing:
         """Both solutions in one picture, with the triangle."""
@@ -257,7 +266,16 @@ class Seen:
         )
         assert not isinstance(told.mirrored.left, Relation)
         yield close(arrays(told.mirrored.left, known), arrays(told.mirrored.right, known), SAME)
-        yield bool(told.folded) == close(sides[0], sides[1], SAME)
+        yield (told.folded is not None and told.folded.key == "folded") == close(sides[0], sides[1], SAME)
+        if told.folded is not None:
+            yield told.folded.about["theta_1"] == Symbol(joints[0])
+            yield told.folded.key == "folded" or self._can_be_equal(told.folded.about["equal"], sides, known)
+
+    def _can_be_equal(self, told: Said, sides: Sequence[float], known: Values) -> bool:
+        """Whether what is told to be equal are the two links."""
+        if not isinstance(told, Relation) or told.sign != "=" or isinstance(told.left, Relation):
+            return False
+        return close([arrays(told.left, known), arrays(told.right, known)], sides, SAME)
 
     def _pivot(self, name: str, at: Values) -> Any:
         """The point (2) about which a joint turns the end-effector."""

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import number
-from derive.derivation import Claim, Phrase, Table
-from derive.expression import Expr, Symbol
+from derive.derivation import Claim, Phrase, Said, Table
+from derive.expression import Expr, Relation, Symbol
 from derive.kinds.checks import close, route
 from derive.kinds.fields import TREES
 from derive.kinds.robot._chain import oracle_of
@@ -81,6 +81,15 @@ class Repeated:
         if e is not None:
             shown.append(close(arrays(e, {}), self._gap(last), NEAR))
         return route("there", shown)
+
+    def tells(self, error: Said, at: Mapping[str, float]) -> bool:
+        """Whether the error is what is said, e = r_d - f."""
+        if not isinstance(error, Relation) or error.sign != "=" or isinstance(error.left, Relation):
+            return False
+        import numpy as np
+
+        names = {"e": self._gap(at), "r_d": np.array(self.target), "f": np.array(self.place(at))}
+        return close(arrays(error.left, names), arrays(error.right, names), NEAR)
 
     def _row(self, table: Table, row: Sequence[Any]) -> Row:
         """By the headings: k, the joint variables, the error."""
