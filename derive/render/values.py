@@ -114,14 +114,11 @@ class Values:
             return ((), (_measured(self._degrees(tree), unit, True),))
         fraction = rational(tree) if self._decimal() and not isinstance(tree, Number) else None
         if fraction is not None:
-            return (
-                (_measured(tree, unit, angle), _measured(self._number(Number(fraction)), unit, angle)),
-                (),
-            )
+            return ((_exact(tree, unit), _measured(self._number(Number(fraction)), unit, angle)), ())
         said = self._number(tree) if self._decimal() else tree
         if unit is None or _is_simple(said) or isinstance(said, Number | Degrees | Approximate):
             return ((_measured(said, unit, angle),), ())
-        return ((_measured(said, unit, angle),), (_measured(self._decimals(said), unit, angle),))
+        return ((_exact(said, unit),), (_measured(self._decimals(said), unit, angle),))
 
     # -- numbers ----------------------------------------------------------------------------------
 
@@ -295,6 +292,12 @@ def _measured(tree: Expr, unit: str | None, angle: bool) -> Expr:
     if entries == {ZERO}:
         return tree
     return in_unit(tree, (unit or "").removeprefix("deg").removeprefix("rad" if angle else ""))
+
+
+def _exact(tree: Expr, unit: str | None) -> Expr:
+    """What a decimal follows, with its unit: none where its numbers have theirs, or it is an angle."""
+    own = any(isinstance(node, Measured | Degrees) for node in walk(tree))
+    return tree if own or not unit or unit.startswith(("deg", "rad")) else in_unit(tree, unit)
 
 
 def _turns(tree: Expr, unit: str) -> bool:
