@@ -303,7 +303,15 @@ def _order(
         yield from _order(used, asked, printed, subject)
     if not any(answer is done for done in printed):
         printed.append(answer)
-        yield Worked(answer, words_folder(subject, answer.kind), any(answer is one for one in asked))
+        is_asked = any(answer is one for one in asked)
+        read = is_asked or any(_reads(one, answer) for one in asked)
+        yield Worked(answer, words_folder(subject, answer.kind), is_asked, read)
+
+
+def _reads(user: Derivation, used: Derivation) -> bool:
+    """Whether a derivation, or one that it rests on, needs the results of another."""
+    own = any(each is used for each in user.uses) and used.kind not in user.unread
+    return own or any(_reads(each, used) for each in user.uses)
 
 
 def _question(

@@ -331,7 +331,8 @@ class Derivation:
 
     `results` and `evaluated` are named as in the JSON contract. `definitions` says what each name
     in the chains stands for, so that every chain can be checked from end to end. `uses` are the
-    derivations this one rests on, printed before it unless an earlier question printed them.
+    derivations this one rests on, printed before it unless an earlier question printed them; of the kinds
+    that are `unread` it needs what they show on the way, and no long result written out.
     `files` are texts written beside the page, by file name: scripts to run. `matrices` names the results
     that are matrices even where they have one column only (J of one joint), and no vectors. `alone` are
     those that could be compared with no line. `units` are the SI units of names on the page, "N m"; their
@@ -347,6 +348,7 @@ class Derivation:
     definitions: Mapping[Expr, Expr] = field(default_factory=dict)
     evaluated: Mapping[str, Any] = field(default_factory=dict)
     uses: tuple[Derivation, ...] = ()
+    unread: frozenset[str] = frozenset()
     plots: tuple[Figure, ...] = ()
     facts: PageFacts = field(default_factory=PageFacts)
     files: Mapping[str, str] = field(default_factory=dict)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from derive.derivation import Step
 from derive.expression import (
     Expr,
     Relation,
@@ -58,6 +59,11 @@ class Displays(ToldSoFar):
             self.answered.append(written)
             self.kept.extend(self.printed[first:])
         return written
+
+    def lengthy(self, name: str | Step) -> bool:
+        """Whether the matrix in which a step ends is wider than a line, so that entries of it are listed."""
+        step, printer = self._step(name), self._printer(None)
+        return bool(with_named_entries(self.values.shown(step.chain), printer, LINE, step.entries)[1])
 
     def _display(
         self, chains: tuple[tuple[Expr, ...], ...], printer: Printer, namings: tuple[Naming, ...] = (),

@@ -27,12 +27,14 @@ def _sum(marks: Iterable[int | None]) -> int | None:
 class Worked:
     """A derivation to print and the folder of its words under `templates/words/`.
 
-    `asked` is false for one that only another rests on; its words may then be brief.
+    `asked` is false for one that only another rests on; its words may then be brief. It is not `read` where
+    nothing needs its results written out.
     """
 
     derivation: Derivation
     folder: str
     asked: bool = True
+    read: bool = True
 
 
 @dataclass(frozen=True, slots=True)

@@ -171,7 +171,7 @@ def _told(
     try:
         return words(
             worked.derivation, worked.folder, skin, problem.notation, worked.asked, plots, files, printed,
-            so_far, question.steps,
+            so_far, question.steps, worked.read,
         )  # fmt: skip
     except Untold as untold:
         untold.template = untold.template or words_file(worked.folder, worked.derivation.kind)

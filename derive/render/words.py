@@ -1,6 +1,6 @@
 """Runs the words of a kind: a Jinja template whose sentences refer to the steps of a derivation.
 
-In scope of a words template: `d`, `step(name)`, `facts`, `asked`, the filters `m`, `each`
+In scope of a words template: `d`, `step(name)`, `facts`, `asked`, `read`, the filters `m`, `each`
 and `listed`, and the functions `show`, `answer`, `inline`, `tell`, `table`, `plot`, `say`, `listing`, `path`,
 `em`, `strong`, `items`, `again`, `conditions`, `cited`, `found`, `worked`. Its blocks `question` and
 `phrases` are left out here. A step the words neither show nor tell is an error: nothing that was derived goes
@@ -54,12 +54,13 @@ def words(
     derivation: Derivation, folder: str, skin: Skin, notation: Notation, asked: bool = True,
     plots: Mapping[str, str] | None = None, files: Mapping[str, str] | None = None,
     printed: list[Printed] | None = None, so_far: SoFar | None = None, steps: Steps = "full",
+    read: bool = True,
 ) -> str:  # fmt: skip
     """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix;
     `files` maps names of files to theirs; what is printed from trees is added to `printed`. `so_far` is what
     the sheet has told before, and grows.
     With `steps` less than full only what was asked for is told: its formula and result, or its result alone;
-    all of it where that is no formula.
+    all of it where that is no formula. Nothing needs the results of what is not `read`.
 
     Raises ForgottenStep, ForgottenFact, EarlyStep; where the derivation was not asked for, its words may
     leave facts out.
@@ -78,7 +79,7 @@ def words(
     for claim in derivation.claims:  # said in the JSON only, but their words must not be missing unnoticed
         telling.speech.claim(claim)
     template = words_of(folder, derivation.kind)
-    context = template.new_context({**telling.scope(), "asked": asked})
+    context = template.new_context({**telling.scope(), "asked": asked, "read": asked or read})
     for block in APART:
         context.blocks[block] = [lambda _: iter(())]
     written = "".join(template.root_render_func(context))
@@ -116,7 +117,7 @@ class Telling(Displays):
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
             "say": self.say, "each": self.each, "cut": self.cut, "whole": self.whole, "fits": self.fits,
-            "place": self.place, "again": self.again, "conditions": self.conditions,
+            "lengthy": self.lengthy, "place": self.place, "again": self.again, "conditions": self.conditions,
             "cited": self.cited, "found": self.found, "worked": self.worked,
         }  # fmt: skip
 

@@ -15,6 +15,7 @@ from derive.mechanics.poses import position_part, rotation_part
 from derive.mechanics.robot import DHRow, Robot
 
 TOOL = "e"  # the end-effector's frame where a tool follows the last row
+LINKS_ALONE = frozenset({"forward-kinematics"})  # unread by what needs no more than the poses of the links
 
 
 def chain_of(problem: Problem) -> Chain:

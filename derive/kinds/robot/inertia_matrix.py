@@ -12,7 +12,7 @@ from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, children
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
-from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.kinds.robot._chain import LINKS_ALONE, chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, inertias, weighted
 from derive.kinds.robot._dynamics.body_steps import (
     body_definitions,
@@ -102,7 +102,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         alone=_jacobians(heavy[0].i) if len(heavy) == 1 and not big else (),
         numbers=("D",),
     )
-    return work.answer("inertia-matrix", results, facts, matrices=frozenset(results))
+    return work.answer("inertia-matrix", results, facts, matrices=frozenset(results), unread=LINKS_ALONE)
 
 
 def _jacobians(i: int) -> tuple[Symbol, ...]:

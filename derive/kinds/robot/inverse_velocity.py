@@ -17,7 +17,7 @@ from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._chain import LINKS_ALONE, oracle_of
 from derive.kinds.robot._determinants import determinant
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._units import of_joints
@@ -149,7 +149,7 @@ def _least(redundant: bool) -> Phrase:
 def _answer(task: Task, work: Work, qdot: Expr, facts: Facts, apart: Expr = ONE) -> Derivation:
     """As formulas."""
     work = _compared(task, work, qdot).claim(_fails_where(task, facts, apart))
-    return work.answer("inverse-velocity", {"qdot": qdot}, facts)
+    return work.answer("inverse-velocity", {"qdot": qdot}, facts, unread=LINKS_ALONE)
 
 
 def _compared(task: Task, work: Work, qdot: Expr | Callable[[Point], Any]) -> Work:

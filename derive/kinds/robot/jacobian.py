@@ -125,7 +125,8 @@ def _restated(options: Options, problem: Problem) -> Derivation:
     base, found = problem.ask("jacobian", point=options.point), chain_of(problem)
     point = tracked(problem, found, options.point)
     R, R_now = _rotation(found, point), rotation_part(_pose(found, point))
-    work = Work(problem).resting_on(base).knowing({R: problem.readable_matrix(R_now)})
+    turned = (problem.ask("forward-kinematics"),) if options.frame == "tool" else ()  # by its rotation
+    work = Work(problem, uses=turned).resting_on(base).knowing({R: problem.readable_matrix(R_now)})
     head: Symbol | Indexed = J
     value = normal_matrix(work[J])
     if options.frame == "tool":

@@ -18,7 +18,7 @@ from derive.kinds.checks import TRIES, close, random_points, route
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
-from derive.kinds.robot._chain import axis_lines, chain_of, oracle_of, pose_name
+from derive.kinds.robot._chain import LINKS_ALONE, axis_lines, chain_of, oracle_of, pose_name
 from derive.kinds.robot._columns import pose_lines
 from derive.kinds.robot._couplings import motion_lines
 from derive.kinds.robot._families import said_of_each
@@ -84,7 +84,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     beside = _together(aside) if found.coupling else tuple(_lying(problem.subject, *way) for way in ways)
     if any(letter for _, letter in ways):
         work = work.claim(route("along", _are_along(problem, ways)))
-    return work.answer("joint-axes", results, Facts(vectors=said_of_each(VECTORS, own), beside=beside))
+    facts = Facts(vectors=said_of_each(VECTORS, own), beside=beside)
+    return work.answer("joint-axes", results, facts, unread=LINKS_ALONE)
 
 
 def _together(names: Sequence[Expr]) -> tuple[Phrase, ...]:

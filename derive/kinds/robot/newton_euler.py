@@ -18,7 +18,7 @@ from derive.kinds.checks import flat
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
-from derive.kinds.robot._chain import chain_of
+from derive.kinds.robot._chain import LINKS_ALONE, chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.body_steps import inertia_steps
@@ -158,7 +158,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     work = arm.moved(_same_as_lagrange(work, arm, sweeping), tau)
     return by_index(work, {"tau": tau}, _meanings(work.definitions)).answer(
-        "newton-euler", {"tau": tau}, facts
+        "newton-euler", {"tau": tau}, facts, unread=LINKS_ALONE
     )
 
 

@@ -9,7 +9,7 @@ from derive.expression import Symbol
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, end_frame, oracle_of
+from derive.kinds.robot._chain import LINKS_ALONE, chain_of, end_frame, oracle_of
 from derive.kinds.robot._rows.exponentials import NAMED, Exponentials, ScrewsTold
 from derive.kinds.work import Work
 from derive.mechanics.poses import rotation_part
@@ -45,4 +45,5 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         product=screws.name.name,
         page_names=page_names,
     )
-    return work.answer("product-of-exponentials", results, facts)
+    unread = frozenset() if robot.by_screws else LINKS_ALONE
+    return work.answer("product-of-exponentials", results, facts, unread=unread)

@@ -7,6 +7,7 @@ its equations and its values, and `progress` keeps the names, signs and sums tha
 sub-problem (`subproblem`) has one or several values; a choice at each is a branch (`branches`). `checks` puts
 every branch back through the forward kinematics; `evaluated` has the branches at the pose an author asks for,
 each once, and what is free where the arm is singular there (`at_pose`, `distinct`). `working` reads the whole
-for the page. The planar arm of two links is solved by its triangle instead (`two_link`).
+for the page. The planar arm of two links is solved by its triangle instead (`two_link`), and six joints that
+no formula inverts `by_elimination`, in numbers.
 docs/inverse-kinematics.md derives one arm through all this.
 """

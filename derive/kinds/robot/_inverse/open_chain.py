@@ -12,7 +12,8 @@ from derive.derivation import Derivation, Result
 from derive.errors import NotDerivable
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
-from derive.kinds.robot._inverse import at_a_pose
+from derive.kinds.robot._chain import LINKS_ALONE
+from derive.kinds.robot._inverse import by_elimination
 from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.checks import Tried, as_printed
 from derive.kinds.robot._inverse.choices import Choices, signs_of
@@ -65,12 +66,12 @@ def derive(
     plan = search.by_arm_angle(arm) if arm else _plan(search, target)
     if not (plan and plan.complete) and problem.subject.by_screws:
         return by_rows("inverse-kinematics", problem, given=given, evaluate=place)
-    if not (plan and plan.complete) and place and at_a_pose.fits(chain, target):
-        return at_a_pose.derive(chain, target, place, problem)
+    if not (plan and plan.complete) and place and by_elimination.fits(chain, target):
+        return by_elimination.derive(chain, target, place, problem)
     if plan is None:
-        raise NotDerivable(at_a_pose.NO_FORMULA + at_a_pose.offered(chain, target))
+        raise NotDerivable(by_elimination.NO_FORMULA + by_elimination.offered(chain, target))
     if not plan.complete:
-        raise NotDerivable(no_closed_form(plan, goal, problem) + at_a_pose.offered(chain, target))
+        raise NotDerivable(no_closed_form(plan, goal, problem) + by_elimination.offered(chain, target))
     worked = Stages(problem, chain, goal, plan, unused).worked()
     solutions = Solutions(worked.items, chain.variables, frozenset(plan.knowledge.slides), problem, unused)
     roots = Roots.of(plan, worked, solutions, target)
@@ -104,7 +105,9 @@ def derive(
     work = work.claim(*ranges.claims(values))
     facts = Told(worked, solutions, choices).facts(trial.partial, values, in_degrees(problem, place))
     facts = replace(facts, feasible=ranges.said)
-    return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
+    read = facts.wrist is not None and facts.wrist.stands  # off the pose of the end-effector
+    unread = frozenset() if read else LINKS_ALONE
+    return work.answer("inverse-kinematics", results, facts, evaluated=values.values, unread=unread)
 
 
 def swung_by(chain: Chain, given: Given, free: tuple[str, ...], problem: Problem) -> str | None:
@@ -131,7 +134,7 @@ def _points(
 def _plan(search: Search, target: Target) -> Plan | None:
     """None where no three neighbouring axes suggest that there is one, and the search for it grows long."""
     chain, point = search.chain, search.points[0]
-    if not at_a_pose.fits(chain, target) or SixAxes.of(chain, point, target.size(point)).has_formulas:
+    if not by_elimination.fits(chain, target) or SixAxes.of(chain, point, target.size(point)).has_formulas:
         return search.plan()
     try:
         with at_most(ATTEMPT):

@@ -33,7 +33,7 @@ from derive.expression import (
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL
-from derive.kinds.robot._inverse.at_a_pose_checks import Checks
+from derive.kinds.robot._inverse.elimination_checks import Checks
 from derive.kinds.robot._inverse.evaluated import Evaluated, Numbers, in_degrees, with_rotation
 from derive.kinds.robot._inverse.facts import AtPlace, Eliminated, Facts
 from derive.kinds.robot._inverse.ranges import Ranges
@@ -84,7 +84,7 @@ def derive(chain: Chain, target: Target, place: Place, problem: Problem) -> Deri
             f"{', '.join(missing)} {'has' if len(missing) == 1 else 'have'} none",
             "evaluate",
         )
-    found = _AtPose(problem, chain, target, point)
+    found = _Solved(problem, chain, target, point)
     values, solutions = found.evaluated, found.solutions
     ranges = Ranges.of(problem, place)
     values = ranges.judged(values)
@@ -111,7 +111,7 @@ def derive(chain: Chain, target: Target, place: Place, problem: Problem) -> Deri
 
 
 @dataclass(frozen=True)
-class _AtPose:
+class _Solved:
     """An arm at the pose of a point."""
 
     problem: Problem
