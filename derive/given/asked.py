@@ -163,6 +163,10 @@ SAID: dict[str, Said] = {
     "force": _components("force"),
     "target": lambda value, _: _components("target")(value, _) if isinstance(value, tuple) else None,
     "start": lambda value, _: _values("start", value),
+    "end": lambda value, _: _values("end", value),
+    "joints": lambda value, _: Datum(Phrase("joints", {"vector": vector(value)})) if value else None,
+    "time": _counted("time"),
+    "torque_max": lambda value, _: Datum(Phrase("torque-max", {"values": tuple(map(measured, value))})),
     "at": lambda value, _: _values("at", value) if value else None,
     "inputs": _inputs,
     "method": _worded(

@@ -18,6 +18,7 @@ from derive.audit.subjects.robot import (
     kinematics,
     rates,
     reach,
+    scaling,
     singular,
     spans,
 )
@@ -55,6 +56,7 @@ KINDS = {
     "energy": dynamics.energy,
     "dynamics": dynamics.dynamics,
     "residual": dynamics.residual,
+    "time-scaling": scaling.time_scaling,
     "newton-euler": dynamics.newton_euler,
     "forward-dynamics": dynamics.forward_dynamics,
     "operational-space-inertia": dynamics.operational_space_inertia,
