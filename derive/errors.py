@@ -118,6 +118,10 @@ class NotDerivable(Exception):
         self.about = about
 
 
+class TooManyTerms(NotDerivable):
+    """An answer with more terms than anyone reads; in numbers there may be one."""
+
+
 class NotAsWritten(Exception):
     """A check that failed: the tree that was made of a value is not equal to it."""
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from flint import fmpq_mpoly
 
-from derive.errors import NotDerivable
+from derive.errors import TooManyTerms
 
 MOST_PRODUCTS = 1_000_000  # of terms, in one multiplication; arms of seven joints need some two thousand
 MOST_IN_PRODUCT = 100_000  # terms of what comes out: some 10 MB
@@ -78,35 +78,35 @@ def no_charge() -> Iterator[None]:
 
 
 def spend(units: int) -> None:
-    """Counts work. Raises NotDerivable where an answer has taken more than any page is worth."""
+    """Counts work. Raises TooManyTerms where an answer has taken more than any page is worth."""
     work = _WORK.get()
     if work is None:
         return
     work.left -= units + A_CALL
     if work.left < 0:
-        raise NotDerivable(
+        raise TooManyTerms(
             f"the answer is too long: more than {MOST_WORK // 10**6} million products of terms; {REMEDY}"
         )
 
 
 def multiplied(left: fmpq_mpoly, right: fmpq_mpoly) -> fmpq_mpoly:
-    """The product. Raises NotDerivable where it would be out of all proportion."""
+    """The product. Raises TooManyTerms where it would be out of all proportion."""
     products = len(left) * len(right)
     if products > MOST_PRODUCTS:
-        raise NotDerivable(
+        raise TooManyTerms(
             f"the answer is too long: an expression of {len(left)} terms times one of {len(right)}; {REMEDY}"
         )
     spend(products)
     found = left * right
     if len(found) > MOST_IN_PRODUCT:
-        raise NotDerivable(f"the answer is too long: an expression of {len(found)} terms; {REMEDY}")
+        raise TooManyTerms(f"the answer is too long: an expression of {len(found)} terms; {REMEDY}")
     return found
 
 
 def count(one: int, all_together: int) -> None:
-    """Raises NotDerivable where so many terms are to be written out."""
+    """Raises TooManyTerms where so many terms are to be written out."""
     if one > MOST_IN_ONE or all_together > MOST_TERMS:
-        raise NotDerivable(
+        raise TooManyTerms(
             f"the answer is too long: over {MOST_IN_ONE if one > MOST_IN_ONE else MOST_TERMS} terms "
             f"multiplied out; {REMEDY}"
         )

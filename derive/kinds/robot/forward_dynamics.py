@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from derive.algebra.bounds import no_charge
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.readable.form import readable, readable_matrix
 from derive.derivation import Derivation, PageFacts, Phrase, Step
-from derive.errors import NotDerivable
+from derive.errors import NotDerivable, TooManyTerms
 from derive.expression import (
     Call,
     Expr,
@@ -23,13 +24,21 @@ from derive.expression import (
     replace,
     terms_of,
 )  # fmt: skip
-from derive.kinds.fields import NoOptions as Options
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.at_a_point import AtAPoint, at_a_point, rounded
 from derive.kinds.robot._dynamics.matrix_laws import acceleration_law
-from derive.kinds.robot._dynamics.solving import accelerations_at, equations_of_motion
+from derive.kinds.robot._dynamics.solving import (
+    EQUATIONS,
+    RISES,
+    D,
+    accelerations_at,
+    equations_of_motion,
+    held,
+)
 from derive.kinds.robot._dynamics.terms import Term, equation, equations
 from derive.kinds.robot._efforts import efforts
 from derive.kinds.robot._units import of_joints, together
@@ -37,7 +46,7 @@ from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.names import entry_symbol
 
-CLAIMED = {"D_inv": "adjugate", "h": "equations-hold", "qddot": "solved"}
+CLAIMED = {"D_inv": "adjugate", "h": "equations-hold|at-a-point", "qddot": "solved|at-a-point"}
 
 NEEDS = ("bodies",)
 measures = together(of_joints("qddot", power=2), of_joints("h", effort=True))
@@ -45,7 +54,6 @@ measures = together(of_joints("qddot", power=2), of_joints("h", effort=True))
 
 MOST_JOINTS = 3
 MOST_REDUCED = 2  # joints; with more, fractions are not multiplied out
-D = Symbol("D")
 DET = Call("det", (D,))
 
 
@@ -56,10 +64,16 @@ MEANINGS: Mapping[str, Meaning] = {
 }
 
 
+class Options(OptionsModel):
+    """Of an arm whose equations are too long in letters, `evaluate` gives them in numbers."""
+
+    evaluate: Evaluation = None
+
+
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
     """Those of formulas, or of equations."""
     if len(robot.variables) > MOST_JOINTS:
-        return ("equations-hold", "solved", "names")
+        return ("equations-hold|at-a-point", "solved|at-a-point", "names|at-a-point")
     return ("adjugate", "joint-forces", "names")
 
 
@@ -68,14 +82,23 @@ class Facts(PageFacts):
     in_full: Phrase | None
     rubbing: Phrase | None = None  # in the equations of many joints
     efforts: Phrase | None = None  # of its joints, there
+    at_a_point: bool = False  # in numbers alone
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """qddot = D^-1 (tau - h), by the adjugate and the determinant (Craig, eq. 6.115).
 
-    Of more than three joints the linear equations D qddot = tau - h. Raises NotDerivable where D has no
-    inverse.
+    Of more than three joints the linear equations D qddot = tau - h; at a point in numbers where they are too
+    long. Raises NotDerivable where D has no inverse.
     """
+    try:
+        return _in_letters(robot, problem)
+    except TooManyTerms as error:
+        with no_charge():  # what was spent on letters is gone
+            return _in_numbers(at_a_point(problem, options.evaluate, error, forces=True))
+
+
+def _in_letters(robot: Robot, problem: Problem) -> Derivation:
     arm, n = Arm(problem), len(robot.variables)
     if n > MOST_JOINTS:
         return _as_equations(problem, arm)
@@ -154,6 +177,21 @@ def _as_equations(problem: Problem, arm: Arm) -> Derivation:
         by_joint=("D", "h", "qddot"),
     )
     return work.answer("forward-dynamics", results, facts, matrices=frozenset({"D"}))
+
+
+def _in_numbers(there: AtAPoint) -> Derivation:
+    """D, h and what they come to where every name has a value."""
+    told = {"D": there.motion.D, "h": there.motion.h, "qddot": there.accelerations}
+    results = {name: rounded(value) for name, value in told.items()}
+    steps = [Step(name, (Symbol(name), results[name]), "at-a-point") for name in ("D", "h")]
+    end = Step("q_ddot", (RISES, results["qddot"]), "at-a-point")
+    work = Work(there.problem, known=there.named).showing(*steps, EQUATIONS, end)
+    work = work.claim(there.claim(**results), held(Arm(there.problem), EQUATIONS.chain))
+    facts = Facts(
+        one=False, in_full=None, at_a_point=True, efforts=efforts(there.problem.subject), numbers=()
+    )
+    evaluated = {name: value.tolist() for name, value in told.items()}
+    return work.answer("forward-dynamics", results, facts, matrices=frozenset({"D"}), evaluated=evaluated)
 
 
 def _rest(terms: Iterable[Term]) -> Iterable[Term]:

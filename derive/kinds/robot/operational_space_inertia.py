@@ -4,30 +4,51 @@ from __future__ import annotations
 
 from typing import Any
 
+from derive.algebra.bounds import no_charge
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.numbers.floats import Point, numbers
+from derive.algebra.numbers.floats import Point, matrix_numbers, numbers
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts, Result
-from derive.errors import NotDerivable
-from derive.expression import ONE, PI, Call, Expr, Matrix, Symbol, number, replace, symbols, transpose, walk
-from derive.kinds.fields import OptionsModel
+from derive.derivation import Derivation, PageFacts, Result, Step
+from derive.errors import NotDerivable, TooManyTerms
+from derive.expression import (
+    ONE,
+    PI,
+    Call,
+    Expr,
+    Matrix,
+    Product,
+    Symbol,
+    number,
+    replace,
+    symbols,
+    transpose,
+    walk,
+)
+from derive.kinds.checks import close, route
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.inertia_seen import inertia_at, inertia_by_equations
+from derive.kinds.robot._dynamics.at_a_point import AtAPoint, at_a_point, rounded
+from derive.kinds.robot._dynamics.inertia_seen import inertia_at, inertia_by_equations, shown_as
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._velocity.solving import quotient
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
+from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import moving_rows
 from derive.names import require_free
 
-CLAIMED = {"J_inv": "in-numbers"}
+CLAIMED = {"J_inv": "in-numbers", "Lambda": "lambda-at-a-point", "D": "at-a-point"}
 
 NEEDS = ("bodies",)
-CLAIMS = ("symmetric|equations-hold", "kinetic-energy|equations-hold", "in-numbers|solved")
+CLAIMS = (
+    "symmetric|equations-hold|at-a-point",
+    "kinetic-energy|equations-hold|at-a-point",
+    "in-numbers|solved|lambda-at-a-point",
+)
 MOST_JOINTS = 3
 J, D, LAMBDA = symbols("J D Lambda")
 DET, INVERSE = Call("det", (J,)), J**-1
@@ -40,22 +61,33 @@ class Options(OptionsModel):
     """The point whose motion counts; that of the end-effector if left out."""
     rows: tuple[RowName, ...] = ()
     """The velocities that count, no more than there are joints."""
+    evaluate: Evaluation = None
 
 
 class Facts(PageFacts):
     rows: tuple[Expr, ...]
     redundant: bool = False
+    at_a_point: bool = False  # in numbers alone
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """Lambda = J^-T D J^-1 (Khatib, A unified approach for motion and force control, 1987, eq. 51).
 
     Of more than three joints, of an arm whose D is long, and where there are more joints than rows, the
-    linear equations for it. Raises NotDerivable where the rows of J are dependent everywhere.
+    linear equations for it; where they are too long, its numbers at a point. Raises NotDerivable where the
+    rows of J are dependent everywhere.
     """
     require_free(problem.taken, "Lambda")
-    arm = Arm(problem)
     task = _task(problem, options)
+    try:
+        return _in_letters(problem, task)
+    except TooManyTerms as error:
+        with no_charge():  # what was spent on letters is gone
+            return _numbers_alone(task, at_a_point(problem, options.evaluate, error, forces=False))
+
+
+def _in_letters(problem: Problem, task: Task) -> Derivation:
+    arm = Arm(problem)
     if len(task.rates) > MOST_JOINTS or arm.long or not task.square:
         return _as_equations(task, arm)
     jacobian = _regular(task)
@@ -87,12 +119,12 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 
 def _task(problem: Problem, options: Options) -> Task:
-    """The rows asked for; else those the arm is built for, and only linear ones where it has fewer joints.
-    Raises NotDerivable where rows are more than joints."""
+    """The rows asked for; else those the arm is built for, and only linear ones where it has fewer joints, as
+    many as it has. Raises NotDerivable where rows are more than joints."""
     task = task_of(problem, options.rows, options.point)
     if not options.rows and len(task.rows) > len(task.rates):
         linear, _ = moving_rows(task.whole)
-        task = task_of(problem, tuple(linear), options.point)
+        task = task_of(problem, tuple(linear)[: len(task.rates)], options.point)
     m, n = task.J.shape
     if m > n:
         raise NotDerivable(
@@ -118,6 +150,29 @@ def _as_equations(task: Task, arm: Arm) -> Derivation:
     }
     facts = Facts(rows=task.velocities, redundant=not task.square, by_joint=("D",), forms=("Lambda",))
     return work.answer("operational-space-inertia", results, facts, matrices=frozenset(results))
+
+
+def _numbers_alone(task: Task, there: AtAPoint) -> Derivation:
+    """J, D and Lambda where every name has a value."""
+    import numpy as np
+
+    jacobian = np.array(matrix_numbers(task.J, there.at))
+    shown = np.linalg.inv(jacobian @ np.linalg.solve(there.motion.D, jacobian.T))
+    told = {"J": jacobian, "D": there.motion.D, "Lambda": shown}
+    results = {name: rounded(value) for name, value in told.items()}
+    formula = (LAMBDA, Product((J, D**-1, transpose(J))) ** -1)
+    steps = [Step(name, (Symbol(name), results[name]), "at-a-point") for name in ("J", "D")]
+    steps += [Step("seen", formula, "unsolved"), Step("Lambda", (LAMBDA, results["Lambda"]), "at-a-point")]
+    work = Work(there.problem).showing(*steps).claim(there.claim(D=results["D"]))
+    work = work.claim(shown_as(task, Arm(there.problem), formula))
+    seen = (task.numbers(there.at), inertia_at(task, Arm(there.problem), there.at))
+    pairs = zip((results["J"], results["Lambda"]), seen, strict=True)
+    work = work.claim(route("lambda-at-a-point", (close(numbers(a, {}), b, 1e-6) for a, b in pairs)))
+    facts = Facts(rows=task.velocities, at_a_point=True, by_joint=("D",), forms=("Lambda",), numbers=())
+    evaluated = {name: value.tolist() for name, value in told.items()}
+    return work.answer(
+        "operational-space-inertia", results, facts, matrices=frozenset(results), evaluated=evaluated
+    )
 
 
 def _regular(task: Task) -> ScalarMatrix:

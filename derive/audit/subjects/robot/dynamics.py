@@ -10,6 +10,7 @@ from derive.audit.linear import det, inverse, product, rank, solve, transposed
 from derive.audit.points import Number, Point, agree, shown
 from derive.audit.subjects.robot.arm import entries, numbers
 from derive.audit.subjects.robot.bodies import Mechanics
+from derive.audit.subjects.robot.dynamics_in_numbers import is_in_numbers, moved, shown_at_the_hand
 from derive.audit.subjects.robot.series import values
 from derive.audit.subjects.robot.task import Task
 
@@ -115,6 +116,9 @@ def newton_euler(asked: Asked, point: Point) -> Iterator[Test]:
 
 def forward_dynamics(asked: Asked, point: Point) -> Iterator[Test]:
     """The accelerations that torques make."""
+    if is_in_numbers(asked):
+        yield from moved(asked, point)
+        return
     arm = Mechanics(asked, point)
     D = numbers(arm.D)
     if "D" in asked.results:
@@ -134,6 +138,9 @@ def accelerations(arm: Mechanics) -> list[Number]:
 
 def operational_space_inertia(asked: Asked, point: Point) -> Iterator[Test]:
     """J^-T D J^-1, or the inverse of J D^-1 J^T."""
+    if is_in_numbers(asked):
+        yield from shown_at_the_hand(asked, point)
+        return
     arm = Mechanics(asked, point)
     J, D = Task(arm).J, numbers(arm.D)
     yield Same("J", J)

@@ -11,7 +11,7 @@ from derive.algebra.numbers.compiled import compiled
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
-from derive.errors import NotDerivable
+from derive.errors import TooManyTerms
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
@@ -63,11 +63,11 @@ class Arm:
         return christoffel(self.D, self.variables)
 
     def refuse_vast(self, most: int) -> None:
-        """Raises NotDerivable where the Christoffel symbols have more terms together than these."""
+        """Raises TooManyTerms where the Christoffel symbols have more terms together than these."""
         symbols = self.christoffel.items()
         terms = sum(len(value.numerator) for (i, j, _), value in symbols if i <= j)
         if terms > most:
-            raise NotDerivable(
+            raise TooManyTerms(
                 f"the Christoffel symbols of this arm have {terms} terms, too many (more than {most}); give "
                 "numbers to some of the symbols, or leave out moments that do not matter"
             )

@@ -68,7 +68,7 @@ def weighted(problem: Problem, found: Chain) -> tuple[Weighted, ...]:
 
 def _weighted(problem: Problem, found: Chain, i: int, body: Body, index: str, letter: str) -> Weighted:
     written, named = _moments(problem, body, index)
-    com = _com(found, i, body)
+    com = com_in_link(found, i, body)
     T = found.T[i]
     position = position_part(T) + rotation_part(T) @ com
     at = MovingPoint(position, i, drift(found, rotation_part(T), com))
@@ -107,7 +107,7 @@ def _moments(problem: Problem, body: Body, index: str) -> tuple[tuple[Expr, ...]
     return tuple(written), named
 
 
-def _com(found: Chain, i: int, body: Body) -> ScalarMatrix:
+def com_in_link(found: Chain, i: int, body: Body) -> ScalarMatrix:
     """In the link's frame (3 by 1); "center" is half way to the origin of the frame before."""
     if body.com != "center":
         return ScalarMatrix.column([normal(part) for part in body.com])

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from derive.algebra.numbers.floats import Point
-from derive.derivation import LinearSystem, Step, as_matrix
+from derive.derivation import Claim, LinearSystem, Step, as_matrix
 from derive.errors import NotDerivable
 from derive.expression import (
     MINUS_ONE,
@@ -46,8 +46,21 @@ def inertia_by_equations(task: Task, arm: Arm) -> tuple[LinearSystem, Work]:
     turned = transpose(J)
     lines = (Product((D, X)), turned), (LAMBDA, Product((J, X)) ** -1, Product((J, D**-1, turned)) ** -1)
     work = task.board().resting_on(arm.inertia).knowing({D: arm.inertia.matrix("D")})
-    held = told(
-        [*lines, (J, task.written)],
+    held = _held(task, arm, X, *lines, (J, task.written))
+    work = work.step(
+        *(Step(name, line, "unsolved") for name, line in zip(("X", "Lambda"), lines, strict=True))
+    )
+    return _system(task, arm, X.name), work.claim(held)
+
+
+def shown_as(task: Task, arm: Arm, formula: tuple[Expr, ...]) -> Claim:
+    """That a formula for Lambda in J and D holds."""
+    return _held(task, arm, Symbol("X"), formula)
+
+
+def _held(task: Task, arm: Arm, X: Symbol, *lines: tuple[Expr, ...]) -> Claim:
+    return told(
+        lines,
         lambda at: _meanings(task, arm, X, at),
         task.symbols | {"g"},
         task.problem.where,
@@ -55,10 +68,6 @@ def inertia_by_equations(task: Task, arm: Arm) -> tuple[LinearSystem, Work]:
         tolerance=NEAR,
         moving=task.problem.moving,
     )
-    work = work.step(
-        *(Step(name, line, "unsolved") for name, line in zip(("X", "Lambda"), lines, strict=True))
-    )
-    return _system(task, arm, X.name), work.claim(held)
 
 
 def _is_of_full_rank(jacobian: Any) -> bool:

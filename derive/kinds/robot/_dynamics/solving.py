@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from derive.algebra.numbers.floats import Point
-from derive.derivation import LinearSystem, Phrase, Step
+from derive.derivation import Claim, LinearSystem, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Matrix, Product, Symbol, children, column, symbols
 from derive.kinds.checks import random_points
@@ -25,6 +25,7 @@ NONE = 1e-9  # what the least eigenvalue of D is of the largest, at most, where 
 TRIES = 3
 MOST_TERMS = 15_000  # of the Christoffel symbols; of more the equations take longer than anyone waits
 D, H, TAU, RISES = symbols("D h tau q_ddot")
+EQUATIONS = Step("equations", (Product((D, RISES)), TAU - H), "unsolved")
 
 
 @dataclass(frozen=True)
@@ -46,17 +47,20 @@ def equations_of_motion(problem: Problem, arm: Arm) -> Unsolved:
     terms = [[each for each in row if each.sort != "acceleration"] for row in equations(problem)]
     rest = column(written_out(row, problem.style) for row in terms)
     work = Work(problem).resting_on(motion).step(rest_law(problem.taken, *sorts))
-    line = Step("equations", (Product((D, RISES)), TAU - H), "unsolved")
-    held = told(
-        [line.chain, (H, rest)],
+    work = work.step(EQUATIONS).claim(held(arm, EQUATIONS.chain, (H, rest)))
+    return Unsolved(_system(arm, motion.matrix("D"), rest), rest, work, friction_told(*sorts))
+
+
+def held(arm: Arm, *lines: tuple[Expr, ...]) -> Claim:
+    """That lines in D, h, tau and the accelerations hold."""
+    return told(
+        lines,
         lambda at: _meanings(arm, at),
         arm.moving,
-        problem.where,
+        arm.problem.where,
         key="equations-hold",
-        moving=problem.moving,
+        moving=arm.problem.moving,
     )
-    work = work.step(line).claim(held)
-    return Unsolved(_system(arm, motion.matrix("D"), rest), rest, work, friction_told(*sorts))
 
 
 def _is_regular(inertia: Any) -> bool:

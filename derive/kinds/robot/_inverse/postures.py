@@ -106,10 +106,13 @@ class Postures:
         return None
 
     def _wrist(self, solved: Solved) -> Posture | None:
-        """By the sign of its middle angle, or of the cosine of that."""
+        """By the sign of its middle angle, or of the cosine of that. Only one whose axes are square turns by
+        half turns where it flips."""
         if not self.worked.singular or solved.head != Symbol(self.worked.chain.variables[-2]):
             return None
         rows = tuple(i for i, _ in self.worked.chain.moving)[-3:]
+        if any(abs(self._axis(one) @ self._axis(other)) > PARALLEL for one, other in pairwise(rows)):
+            return None
         good, bad = SIDES["middle"]
         sides = tuple(good if signs[solved.number] > 0 else bad for signs in self.chosen)
         return Posture("wrist", solved.number, sides, "middle", rows)
