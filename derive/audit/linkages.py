@@ -47,15 +47,39 @@ def singularities(asked: Asked, point: Point) -> Iterator[Test]:
         yield Beyond("solutions", "there are none")
     there = point if not point.exact else point.in_digits()
     for each in asked.objects("solutions"):
-        (angle,) = (asked.read(told) for name, told in each.items() if name != "when")
+        angle, *moved = (asked.read(told) for name, told in each.items() if name != "when")
         yield Holds("solutions", _lie_in_line(asked, there, angle, CLOSE), "no bars lie in line there")
+        if moved and _is_built(asked, there, angle):
+            yield Holds("solutions", _joined(asked, there, angle, moved[0]), "the bars are not joined there")
     for each in asked.objects("evaluated solutions") if asked.evaluated else ():
-        (told,) = (told for name, told in each.items() if name not in ("when", "real"))
+        told, *_ = (told for name, told in each.items() if name not in ("when", "real"))
         if isinstance(told, str):
             yield Beyond("evaluated solutions", "symbols are left")
         else:
             angle = sympy.Float(told, 17)
             yield Holds("evaluated solutions", _lie_in_line(asked, asked.here, angle, ROUGH), "no bars do")
+
+
+def _is_built(asked: Asked, there: Point, angle: sympy.Expr) -> bool:
+    """Whether the bars have lengths and the crank a real angle."""
+    names = (
+        ("crank", "coupler", "rocker", "ground") if isinstance(asked.subject, FourBar) else ("crank", "rod")
+    )
+    bars = [there.at(asked.formula(getattr(asked.subject, name))) for name in names]
+    return all(bar > 0 for bar in bars) and not mpmath.im(there.at(angle))
+
+
+def _joined(asked: Asked, there: Point, angle: sympy.Expr, moved: sympy.Expr) -> bool:
+    """Whether the bar behind the crank is as long as it is with the rocker, or the slider, so."""
+    linkage = asked.subject
+    crank = asked.formula(linkage.crank)
+    if isinstance(linkage, FourBar):
+        rocker, rod = asked.formula(linkage.rocker), asked.formula(linkage.coupler)
+        x, y = asked.formula(linkage.ground) + rocker * sympy.cos(moved), rocker * sympy.sin(moved)
+    else:
+        rod, x, y = asked.formula(linkage.rod), moved, asked.formula(linkage.offset)
+    gap = (x - crank * sympy.cos(angle)) ** 2 + (y - crank * sympy.sin(angle)) ** 2 - rod**2
+    return bool(abs(there.at(gap)) < CLOSE * (1 + abs(there.at(rod)) ** 2))
 
 
 def _lie_in_line(asked: Asked, there: Point, angle: sympy.Expr, near: mpmath.mpf) -> bool:

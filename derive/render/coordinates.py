@@ -17,7 +17,7 @@ from derive.render.skin import environment
 
 Q = re.compile(r"q(_[ijk]+)?(_?d?dot)?")  # q, its rates, and any of its entries
 RATE = re.compile(r"q_?d?dot")
-POINT = re.compile(r"q_\d+")  # where points are called so, q is one of them
+POINT = re.compile(r"q_[1-9]\d*")  # where points are called so, q is one of them; q_0 is where joints begin
 WORDS = "words/_coordinates.j2"
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from derive.derivation import PageFacts, Phrase
+from derive.derivation import PageFacts, Phrase, Record
 from derive.expression import Expr, Symbol
 from derive.mechanics.mobility import Space
 
@@ -66,8 +66,20 @@ class PositionFacts(PageFacts):
     sides_of_line: tuple[tuple[Phrase, str, str], ...] = ()  # where it lies, and the lines of its coordinates
 
 
-# How bars lie, the step that says where, and that it is nowhere.
-Singular: TypeAlias = tuple[Phrase, str, Phrase | None]
+class EndTold(Record):
+    """Where what is moved is at the end of its range, by a step, and how that goes with the crank."""
+
+    line: str
+    said: Phrase
+
+
+class Singular(Record):
+    """How bars lie, the step that says where, or that it is nowhere, and where an end of a range is."""
+
+    lie: Phrase
+    line: str
+    nowhere: Phrase | None
+    end: EndTold | None
 
 
 class SingularFacts(PageFacts):
@@ -76,8 +88,9 @@ class SingularFacts(PageFacts):
     unbounded: tuple[Singular, ...] = ()
     at_rest: tuple[Singular, ...] = ()
     last: Symbol | None = None  # the rate of what is moved
+    around: Phrase | None = None  # whether the crank turns all the way round
     four: bool = False
     angle: Symbol | None = None
     distances: tuple[Symbol, Symbol, Symbol] | None = None  # of the point from the pivots; of the elbows
     at_border: tuple[tuple[Phrase, str], ...] = ()  # legs in line, and the steps of their distances
-    loose: tuple[tuple[Phrase, str], ...] = ()  # couplers in line
+    loose: tuple[tuple[Phrase, str, Phrase], ...] = ()  # couplers in line, and what meets there

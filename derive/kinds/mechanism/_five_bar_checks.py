@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Branch, Derivation
+from derive.derivation import Branch, Derivation, Phrase
 from derive.expression import Expr, Matrix, free_symbols, replace
 from derive.kinds.checks import close, random_points
 from derive.kinds.mechanism._loop_oracle import angle_of, tip, zeros
@@ -17,9 +17,12 @@ from derive.names import free
 POINTS, NEAR, TURNS = 4, 1e-6, (0.9, 2.0, 0.2, 2.8)
 
 
-def in_line(robot: FiveBar, work: Work, base: Derivation, branches: Sequence[Branch]) -> Iterator[bool]:
+def in_line(
+    robot: FiveBar, work: Work, base: Derivation, branches: Sequence[Branch], meeting: Sequence[Phrase]
+) -> Iterator[bool]:
     """Each distance that was found is that of joints whose bars are laid in line; there an entry of the one
-    matrix vanishes, or the determinant of the other. Every line holds."""
+    matrix vanishes, or the determinant of the other. Every line holds. The cranks meet, and leave the point
+    a circle, just where couplers that are equally long are folded."""
     problem = work.problem
     J_x, J_q = base.matrix("J_x"), base.matrix("J_q")
     axes = [free(problem.taken, axis, f"p_{axis}") for axis in "xy"]
@@ -34,6 +37,10 @@ def in_line(robot: FiveBar, work: Work, base: Derivation, branches: Sequence[Bra
                 angle = angle_of(elbow - foot)
                 here = _at(point, axes, spot, motors, (angle, angle))
                 yield abs(at(problem.final(J_q.rows[leg][leg]), here)) < NEAR
+        yield from (
+            (said.key == "elbows-meet") == (abs(b_1 + way * b_2) < NEAR)
+            for said, way in zip(meeting, (1, -1), strict=True)
+        )
         for reach, way in ((found[4], 1), (found[5], -1)):
             for turns, spot in _couplers(sizes, point, reach, way):
                 here = _at(point, axes, spot, motors, turns)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.derivation import Branch, Derivation, Phrase, Step
-from derive.expression import Call, Expr, Symbol, number, subtract
+from derive.expression import ZERO, Call, Expr, Symbol, number, subtract
 from derive.kinds.checks import route
 from derive.kinds.mechanism._facts import SingularFacts
 from derive.kinds.mechanism._five_bar_checks import in_line
@@ -35,9 +35,16 @@ def of_five_bars(robot: FiveBar, problem: Problem) -> Derivation:
         said = Phrase(key, {"leg": number(leg)} if leg else {})
         lines.append((said, f"{key}-{leg}"))
         branches.append(Branch({name.name: problem.final(value)}, (said,)))
-    work = work.claim(route("all-around", in_line(robot, work, base, branches)))
-    facts = SingularFacts(distances=(r_1, r_2, e), at_border=tuple(lines[:4]), loose=tuple(lines[4:]))
+    meeting = [_meeting(branch.values[e.name]) for branch in branches[4:]]
+    work = work.claim(route("all-around", in_line(robot, work, base, branches, meeting)))
+    loose = tuple((*line, meets) for line, meets in zip(lines[4:], meeting, strict=True))
+    facts = SingularFacts(distances=(r_1, r_2, e), at_border=tuple(lines[:4]), loose=loose)
     return work.answer("singularities", {"solutions": tuple(branches)}, facts)
+
+
+def _meeting(apart: Expr) -> Phrase:
+    """What meets where the ends of the cranks are so far apart and the couplers lie in line."""
+    return Phrase("elbows-meet" if apart == ZERO else "assemblies-meet")
 
 
 def _apart(one: Expr, other: Expr) -> Expr:

@@ -11,7 +11,7 @@ from derive.derivation import Branch, Phrase
 from derive.errors import NotReal
 from derive.expression import free_symbols, replace
 from derive.kinds.checks import close, random_points
-from derive.kinds.mechanism._loop_oracle import tip, zeros
+from derive.kinds.mechanism._loop_oracle import ROUND, tip, zeros
 from derive.kinds.mechanism._position_checks import SIZES
 from derive.kinds.work import Work
 from derive.mechanics.linkages import FourBar, SliderCrank
@@ -39,19 +39,24 @@ def gaps(linkage: FourBar | SliderCrank, sizes: Sequence[float]) -> dict[str, Ca
     }
 
 
-def all_found(linkage: FourBar | SliderCrank, work: Work, branches: tuple[Branch, ...]) -> Iterator[bool]:
+def all_found(
+    linkage: FourBar | SliderCrank, work: Work, branches: tuple[Branch, ...], around: Phrase | None
+) -> Iterator[bool]:
     """At every size of the bars the angles that were found, where they are real, are those at which there is
-    such a position; each is told of the right bars, and the lines hold there."""
+    such a position; each is told of the right bars, the lines hold there, and what is moved is where the loop
+    closes. The crank goes round where the bars can be joined at every angle."""
     problem = work.problem
     names = [name for name in SIZES[type(linkage)] if name != "angle"]
     trees = [problem.final(getattr(linkage, name)) for name in names]
     for point in random_points(frozenset().union(*map(free_symbols, trees)), POINTS):
-        seen = gaps(linkage, [at(tree, point) for tree in trees])
-        found: dict[str, list[float]] = {}
-        for step in work.steps:
-            found[step.name] = []
+        sizes = [at(tree, point) for tree in trees]
+        seen = gaps(linkage, sizes)
+        found: dict[str, list[float]] = {step.name: [] for step in work.steps if step.name in seen}
         for branch in branches:
             found[_key(branch)].extend(_real(branch, point))
+            yield from _closes(linkage, sizes, branch, point)
+        if around is not None:
+            yield (around.key == "all-round") == _goes_round(seen)
         for key, angles in found.items():
             yield all(abs(seen[key](angle)) < NEAR for angle in angles)
             there = zeros(seen[key], 0, tau)
@@ -60,6 +65,37 @@ def all_found(linkage: FourBar | SliderCrank, work: Work, branches: tuple[Branch
                 yield len(there) == len(angles)
                 yield all(min(abs(tip(1, a) - tip(1, b)) for b in there) < NEAR for a in angles)
         yield from _lines(work, found, point)
+
+
+def _goes_round(seen: Mapping[str, Callable[[float], float]]) -> bool:
+    """Whether the bars can be joined at every angle of the crank."""
+    above, below = list(seen.values())[:2]
+    angles = [tau * k / ROUND for k in range(ROUND)]
+    return all(above(t) <= 0 <= below(t) for t in angles)
+
+
+def _closes(
+    linkage: FourBar | SliderCrank, sizes: Sequence[float], branch: Branch, point: Point
+) -> Iterator[bool]:
+    """Whether the loop closes with what is said of the rocker or of the slider."""
+    if len(branch.values) < 2:
+        return
+    try:
+        turn, moved = (at(tree, point) for tree in branch.values.values())
+    except (NotReal, ValueError):
+        return
+    if isinstance(linkage, FourBar):
+        crank, coupler, rocker, ground = sizes
+        yield close(abs(ground + tip(rocker, moved) - tip(crank, turn)), coupler)
+        yield _in_line(tip(crank, turn), ground + tip(rocker, moved))
+    else:
+        crank, rod, offset = sizes
+        yield close(abs(moved + 1j * offset - tip(crank, turn)), rod)
+        yield _in_line(tip(crank, turn), moved + 1j * offset)
+
+
+def _in_line(one: complex, other: complex) -> bool:
+    return abs((one.conjugate() * other).imag) < NEAR * abs(one) * (abs(one) + abs(other))
 
 
 def _lines(work: Work, found: Mapping[str, list[float]], point: Point) -> Iterator[bool]:
@@ -78,7 +114,7 @@ def _key(branch: Branch) -> str:
 
 
 def _real(branch: Branch, point: Point) -> Iterator[float]:
-    for tree in branch.values.values():
+    for tree in list(branch.values.values())[:1]:
         try:
             yield at(tree, point)
         except (NotReal, ValueError):

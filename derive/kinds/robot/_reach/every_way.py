@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from types import MappingProxyType
 
 from derive.derivation import Derivation, Phrase, Result
 from derive.errors import NotDerivable
-from derive.expression import Matrix, Symbol
+from derive.expression import ZERO, Expr, Matrix, Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import Place
 from derive.kinds.robot._point import PointOn
@@ -63,15 +62,23 @@ def _by_last_link(work: Work, arm: TurningAbout, told: Facts) -> Derivation:
     borders = len(found.pieces or ()) > 1
     if borders:
         work = work.line(found.inner, found.low, label="rho_1").line(found.outer, found.high, label="rho_2")
+    A = Symbol(free(problem.taken, "A", "A_w"))
     if found.pieces and any(low != high for low, high in found.pieces):
-        A = Symbol(free(problem.taken, "A", "A_w"))
         work = work.line(A, found.area(), label="area")
         results["area"] = work[A]
     work = work.claim(route("orientations", arm.rings(found)))
     where = Dexterous(
         borders=("rho_1", "rho_2") if borders else (), measure="area" in results, where=described(found)
     )
-    names = {"r_max": far} if "r_max" in results else {}
+    names: dict[str, Expr] = {"r_max": far}
+    match found.pieces:
+        case ((low, high),) if ZERO != low != high:
+            names |= {"r_min": Symbol(free(problem.taken, "rho_min"))}
+        case (_, _):
+            names |= {"rings": Matrix(((ZERO, found.inner), (found.outer, far)))}
+    if where.measure:
+        names |= {"area": A}
+    names = {name: called for name, called in names.items() if name in results}
     return work.answer("workspace", results, _facts(told, where, names))
 
 
@@ -79,7 +86,10 @@ def _in_a_plane(told: Facts) -> bool:
     return told.kinds.key in ("kinds-in-a-plane", "kinds-about-an-axis")
 
 
-def _facts(told: Facts, where: Dexterous, names: Mapping[str, Symbol] = MappingProxyType({})) -> Facts:
-    """With the reason that was found with the whole workspace."""
+def _facts(told: Facts, where: Dexterous, names: Mapping[str, Expr] | None = None) -> Facts:
+    """With the reason that was found with the whole workspace, and what is said in numbers by which name."""
     kinds = Phrase("dexterous-in-a-plane" if _in_a_plane(told) else "dexterous")
-    return Facts(kinds=kinds, orientations=told.orientations, dexterous=where, page_names=names)
+    return Facts(
+        kinds=kinds, orientations=told.orientations, dexterous=where, page_names=names or {},
+        numbers=None if names is None else (*names,),
+    )  # fmt: skip
