@@ -32,8 +32,9 @@ class PageFacts(Record):
     in degrees where the `style` is; `short_names` are angles whose sine is printed s_\\phi. With `labels`,
     one for each solution at a point, these are a table; `remark` is what is said after the numbers, and
     angles are `in_degrees` though nobody typed any. The names in a matrix, `at_pose`, are told by it at a
-    point. Vectors that are `lying` are rows on the page; those `by_joint` have an entry for each joint and
-    are no twists, even of six. Matrices of `forms` are quadratic forms in a twist.
+    point; angles of a feasible solution are within their `turn_limits`. Vectors that are `lying` are rows on
+    the page; those `by_joint` have an entry for each joint and are no twists, even of six. Matrices of
+    `forms` are quadratic forms in a twist.
     """
 
     numbers: tuple[str, ...] | None = None
@@ -46,6 +47,7 @@ class PageFacts(Record):
     style: Style = Style()
     short_names: tuple[str, ...] = ()
     labels: tuple[Cell, ...] = ()
+    turn_limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     remark: Phrase | None = None
     in_degrees: bool = False
     at_pose: tuple[Expr, Matrix] | None = None

@@ -6,7 +6,7 @@ from derive.derivation import Label, Phrase
 from derive.expression import Expr, Symbol
 
 
-def axis(name: Expr, unit: str) -> Label:
+def axis(name: Expr | Phrase, unit: str) -> Label:
     """A quantity with its unit in brackets, where it has one."""
     return Phrase("with-unit", {"name": name, "unit": unit}) if unit else name
 

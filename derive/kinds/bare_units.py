@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import fields, is_dataclass
 from typing import Any, get_args
 
+from derive.derivation import Derivation
 from derive.expression import Expr, Number, walk
 from derive.kinds.problem import Problem
 from derive.kinds.robot._lengths import unit_of_lengths
@@ -23,6 +24,12 @@ def bare_units(problem: Problem) -> frozenset[str]:
         units = "/".join(_units((problem.subject, *problem.where.values()))).split("/")
         return frozenset(unit[0] for unit in units if unit and unit[0] in "ms")
     return frozenset()
+
+
+def bare_forces(answers: Iterable[Derivation]) -> frozenset[str]:
+    """Newtons, where a force was typed in them that stands in a line."""
+    chains = (step.chain for answer in answers for step in answer.steps)
+    return frozenset({"N"} & {*_units(tuple(chains))})
 
 
 def _units(value: Any) -> Iterator[str]:

@@ -93,8 +93,11 @@ def evaluated_words(
             if branch.get("real", True) or not facts.met
         ],
         "items": skin.items,
-        "table": PointTable(telling, working).written(found["solutions"], facts.labels) if tabled else "",
+        "table": PointTable(telling, working, facts.turn_limits).written(found["solutions"], facts.labels)
+        if tabled
+        else "",
         "remark": speech.say(facts.remark) if facts.remark else "",
+        "in_si": any(units.are_mixed(name) for _, name in chains.values() if _is_matrix(found[name])),
     }
     return environment().get_template("words/_evaluated.j2").render(context).strip()
 
@@ -132,6 +135,10 @@ class _Exact:
         if value is None or (value.denominator != 1 and (digits is None or digits > self.most)):
             return None
         return Number(value, value.denominator != 1)
+
+
+def _is_matrix(value: Any) -> bool:
+    return isinstance(numeric(value), Matrix)
 
 
 def _without_unit(value: Expr) -> Expr:

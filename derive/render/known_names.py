@@ -16,6 +16,7 @@ Named = tuple[str, dict[str, str], dict[str, str]]  # a sort, names as they are 
 
 ENTRY = re.compile(r"(?P<letter>[a-z])_(?P<row>\d)(?P<column>\d)")
 POSE = re.compile(r"T_(?P<frame>\d+)\^(?P<base>\d+)")
+FEW = 8  # Christoffel symbols that are told one by one
 CHRISTOFFEL = re.compile(r"c_\d{3}")
 GRAVITY, LOAD = "g_0", re.compile(r"g_(?P<joint>[1-9])")
 
@@ -65,9 +66,11 @@ def _components(names: Names) -> Iterator[Named]:
 
 
 def _of_motion(names: Names) -> Iterator[Named]:
-    """A Christoffel symbol, which looks like a cosine; the vector of gravity beside the loads it makes."""
-    if found := next(filter(CHRISTOFFEL.fullmatch, names), None):
-        yield "christoffel", {"name": found}, {}
+    """The Christoffel symbols, which look like cosines: each where they are few; the vector of gravity beside
+    the loads it makes."""
+    if found := [*filter(CHRISTOFFEL.fullmatch, names)]:
+        few = found if len(found) <= FEW else found[:1]
+        yield "christoffel", {f"name_{k}": name for k, name in enumerate(few)}, {"count": str(len(found))}
     loads = (load for name in names if (load := LOAD.fullmatch(name)))
     if GRAVITY in names and (load := next(loads, None)):
         yield "gravity", {"vector": GRAVITY, "load": load[0]}, load.groupdict()

@@ -23,15 +23,18 @@ if TYPE_CHECKING:
 ABOUT = ("when", "real", "free", "fixed", "true_at", "feasible")  # a solution, beside its values
 ALL_DIGITS = 15
 WHOLE_WITHIN = 1e-7  # degrees
+EDGE = 1e-9  # radians
 HALF = 0.5000001  # of the last decimal
 
 
 @dataclass(frozen=True, slots=True)
 class PointTable:
-    """What is `told` on a page; names of the `working` are left out."""
+    """What is `told` on a page; names of the `working` are left out. Angles of a feasible solution are said
+    within their `limits` (radians)."""
 
     told: Telling
     working: Collection[str]
+    limits: Mapping[str, tuple[float, float]]
 
     def written(self, branches: Sequence[Mapping[str, Any]], labels: Sequence[Cell]) -> str:
         """The rows under their headings. At least one solution is real."""
@@ -45,7 +48,7 @@ class PointTable:
         for branch, label in zip(branches, labels, strict=True):
             rows.append([self._label(label)])
             if branch.get("real", True):
-                rows[-1] += [self._cell(name, branch[name]) for name in names]
+                rows[-1] += [self._cell(name, self._within(name, branch)) for name in names]
             else:
                 rows[-1] += [english("not_real"), *[""] * (len(names) - 1)]
             if is_open:
@@ -63,6 +66,16 @@ class PointTable:
         written = self.told.inline(chain_links((Symbol(name),), self.told.printer), Symbol(name), "")
         said = unit and not (name in self.told.angles and self.told.style.degrees)
         return f"{written} [{self.told.skin.plain(unit_text(unit))}]" if said else written
+
+    def _within(self, name: str, branch: Mapping[str, Any]) -> float:
+        """A value, with as many full turns as bring it into its range."""
+        value: float = branch[name]
+        if name not in self.limits or not branch.get("feasible"):
+            return value
+        low, high = self.limits[name]
+        if low - EDGE <= value <= high + EDGE:
+            return value
+        return value + math.tau * math.ceil((low - EDGE - value) / math.tau)
 
     def _cell(self, name: str, value: float) -> str:
         """One value; an angle in degrees with as many decimals as the others."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, get_args
 
 from derive.algebra.formulas.dimensions import comparable, dimension_of_formula
-from derive.algebra.formulas.units import Dimension, dimension_of, unit_of
+from derive.algebra.formulas.units import PLAIN, Dimension, dimension_of, unit_of
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Degrees, Expr, Matrix, Number, Symbol, free_symbols, walk
@@ -43,20 +43,33 @@ class PointUnits:
         found = self._dimension(self.results.get(name)) if unit else None
         return found is None or comparable(found, dimension_of(unit))
 
+    def are_mixed(self, name: str) -> bool:
+        """Whether the entries of a result measure different things, so that no one unit stands behind it."""
+        if not self.typed or self.inlined:
+            return False
+        return self.meant.get(name) == "" or len(self._dimensions(self.results.get(name))) > 1
+
     def _by_formula(self, result: Any) -> str:
         found = self._dimension(result)
         return unit_of(found) if found else ""
 
     def _dimension(self, result: Any) -> Dimension | None:
         """That of a formula, or of all entries of a vector; None where it is not known."""
+        found = self._dimensions(result)
+        return found.pop() if len(found) == 1 else None
+
+    def _dimensions(self, result: Any) -> set[Dimension]:
+        """Those of a formula, or of all entries of a vector; a number among these has none, where that is not
+        an angle or zero. None at all where they are not known."""
         if not isinstance(result, TREES) or self.inlined:
-            return None
+            return set()
         entries = [entry for row in result.rows for entry in row] if isinstance(result, Matrix) else [result]
         try:
             found = {dimension_of_formula(entry, self.names) for entry in entries if free_symbols(entry)}
         except NotDerivable:
-            return None
-        return found.pop() if len(found) == 1 else None
+            return set()
+        numbers = any(entry != ZERO and not free_symbols(entry) for entry in entries)
+        return found | {PLAIN} if numbers and not any(comparable(each, PLAIN) for each in found) else found
 
 
 def point_units(derivation: Derivation, at: Mapping[str, Expr], turned: bool) -> PointUnits:

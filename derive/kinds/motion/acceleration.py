@@ -28,6 +28,11 @@ STEP = 1e-3  # of second differences by five places: their error is about 1e-8
 NEAR = 1e-6
 
 
+def measures(subject: Motion | GivenRotation) -> dict[str, str]:
+    """Of a motion in time."""
+    return {"omega": "rad/s", "alpha": "rad/s^2"}
+
+
 class Facts(PageFacts):
     omega: Symbol
     rises: tuple[Symbol, ...]  # how the rates change; none where the time itself is what changes

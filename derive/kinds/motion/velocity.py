@@ -40,6 +40,11 @@ SUBJECTS = ("motion", "rotation")
 CLAIMS = ("skew-symmetric", "differences")
 
 
+def measures(subject: Motion | GivenRotation) -> dict[str, str]:
+    """Of a motion in time."""
+    return {"omega": "rad/s", "S": "rad/s"}
+
+
 class Options(OptionsModel):
     """What changes in time."""
 

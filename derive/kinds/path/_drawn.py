@@ -8,9 +8,11 @@ from math import hypot
 from derive.algebra.numbers.floats import number, scalar_number
 from derive.derivation import Figure, Label, Panels, Phrase, Plot, Result
 from derive.expression import Expr, Matrix, symbols
-from derive.figures.axes import IN_TIME, short
+from derive.figures.axes import IN_TIME, axis, short
+from derive.kinds.bare_units import bare_units
 from derive.kinds.path._frenet import Bent
 from derive.kinds.path._timing import T
+from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 
 SAMPLES = 160
@@ -28,6 +30,11 @@ def drawn(work: Work, found: Bent, results: Mapping[str, Result]) -> Iterator[Fi
         return
 
 
+def unit_of_places(problem: Problem) -> str:
+    """Meters, where they were typed."""
+    return "m" if "m" in bare_units(problem) else ""
+
+
 def _places(tree: Result, name: str, low: float, high: float) -> tuple[list[float], list[list[float]]]:
     """Values of the name, and those of each entry of a column there."""
     if not isinstance(tree, Matrix):
@@ -39,10 +46,12 @@ def _places(tree: Result, name: str, low: float, high: float) -> tuple[list[floa
 def _path(work: Work, found: Bent) -> Plot:
     along = found.along
     low, high = (scalar_number(work.scalar(each), {}) for each in along.between or ())
-    return curve_in_the_plane(work.final(along.p), along.s.name, low, high)
+    return curve_in_the_plane(work.final(along.p), along.s.name, low, high, unit_of_places(work.problem))
 
 
-def curve_in_the_plane(p: Result, name: str, low: float, high: float, marked: Sequence[float] = ()) -> Plot:
+def curve_in_the_plane(
+    p: Result, name: str, low: float, high: float, unit: str, marked: Sequence[float] = ()
+) -> Plot:
     """The path between two values of its parameter, its ends and what else is `marked` with dots."""
     _, (xs, ys) = _places(p, name, low, high)
     ends = [(xs[0], ys[0]), (xs[-1], ys[-1])]
@@ -50,7 +59,8 @@ def curve_in_the_plane(p: Result, name: str, low: float, high: float, marked: Se
     rows = p.rows if isinstance(p, Matrix) else ()
     between = [(number(rows[0][0], {name: at}), number(rows[1][0], {name: at})) for at in marked]
     return Plot(
-        "path", AXES[0], AXES[1], {"": (tuple(xs), tuple(ys))}, points=(*ends, *between), equal=True,
+        "path", axis(AXES[0], unit), axis(AXES[1], unit), {"": (tuple(xs), tuple(ys))},
+        points=(*ends, *between), equal=True,
         caption=Phrase("drawn-points" if marked else "drawn-path"), alt=Phrase("seen-path", {**told}),
     )  # fmt: skip
 
@@ -59,10 +69,12 @@ def _motion(work: Work, results: Mapping[str, Result]) -> Panels:
     time = results["time"]
     if not isinstance(time, Expr):
         raise TypeError("a time is a formula")
-    return over_time((results["p"], results["v"], results["a"]), 0.0, number(time, {}))
+    return over_time(
+        (results["p"], results["v"], results["a"]), 0.0, number(time, {}), unit_of_places(work.problem)
+    )
 
 
-def over_time(place_and_rates: Sequence[Result], begin: float, whole: float) -> Panels:
+def over_time(place_and_rates: Sequence[Result], begin: float, whole: float, unit: str) -> Panels:
     """Coordinates of the place, sizes of velocity and acceleration."""
     curves = [_places(each, T.name, begin, whole) for each in place_and_rates]
     at, places = curves[0]
@@ -71,9 +83,9 @@ def over_time(place_and_rates: Sequence[Result], begin: float, whole: float) -> 
     }
     speed, strong = (tuple(map(_size, zip(*values, strict=True))) for _, values in curves[1:])
     plots = (
-        Plot("place", IN_TIME, Phrase("place"), of_place),
-        Plot("speed", IN_TIME, Phrase("speed"), {"": (tuple(at), speed)}),
-        Plot("size", IN_TIME, Phrase("acceleration"), {"": (tuple(at), strong)}),
+        Plot("place", IN_TIME, axis(Phrase("place"), unit), of_place),
+        Plot("speed", IN_TIME, axis(Phrase("speed"), unit and f"{unit}/s"), {"": (tuple(at), speed)}),
+        Plot("size", IN_TIME, axis(Phrase("acceleration"), unit and f"{unit}/s²"), {"": (tuple(at), strong)}),
     )
     told = {"time": short(whole), "speed": short(max(speed)), "strong": short(max(strong))}
     return Panels("motion", plots, caption=Phrase("drawn-motion"), alt=Phrase("seen-motion", {**told}))

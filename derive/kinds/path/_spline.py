@@ -29,7 +29,7 @@ from derive.expression import (
     number,
     symbols,
 )
-from derive.kinds.path._drawn import curve_in_the_plane, over_time
+from derive.kinds.path._drawn import curve_in_the_plane, over_time, unit_of_places
 from derive.kinds.path._frenet import E_B, E_N, E_T, KAPPA
 from derive.kinds.path._length import integral
 from derive.kinds.path._naming import place_name
@@ -134,9 +134,10 @@ class Splined:
         if any(isinstance(each, Matrix) and _letters(each) for each in (p, v, a)):
             return
         ends = tuple(value_of(self.work.problem.final(each), {}) for each in self.shape.times)
+        unit = unit_of_places(self.work.problem)
         if isinstance(p, Matrix) and len(p.rows) == 2:
-            yield curve_in_the_plane(p, T.name, ends[0], ends[-1], ends[1:-1])
-        yield over_time((p, v, a), ends[0], ends[-1])
+            yield curve_in_the_plane(p, T.name, ends[0], ends[-1], unit, ends[1:-1])
+        yield over_time((p, v, a), ends[0], ends[-1], unit)
 
 
 def splined(problem: Problem, bent: bool) -> Splined:

@@ -47,6 +47,7 @@ class CurveTold(Record):
     shape: Phrase
     typed: bool  # whether p is given as such
     given: tuple[tuple[Expr, Expr], ...]  # names of what is given
+    advance: Symbol | None  # of a helix in a turn
     before: tuple[str, ...]  # steps: what p is made of
     s: Symbol
     first: Symbol
@@ -201,6 +202,7 @@ def _curve(path: Path, found: Bent, work: Work, way: str) -> CurveTold:
         shape=shape_told(path, along.s),
         typed=isinstance(path.shape, Curve),
         given=given_names(work, found.along),
+        advance=found.along.given.get("pitch"),
         before=along.lines,
         s=along.s,
         first=found.first,

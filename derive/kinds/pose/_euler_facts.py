@@ -44,4 +44,5 @@ class Facts(PageFacts):
     cases: tuple[Case, ...]
     free: Phrase | None  # what is left open in these
     chosen: tuple[Equation, ...] = ()  # of a rotation of numbers: the angles where the open one is zero
+    turns: tuple[Symbol, ...] = ()  # names in angles that are told up to full turns
     same: tuple[Equation, ...] = ()  # angles of the subject that stand in its matrix just so

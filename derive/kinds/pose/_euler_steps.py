@@ -33,6 +33,7 @@ from derive.expression import (
     rebuild,
     replace,
     sin,
+    walk,
 )
 from derive.expression import number as exact_number
 from derive.kinds.chains import distinct
@@ -232,6 +233,7 @@ class Comparison:
             cases=tuple(self._case(k, case) for k, case in enumerate(self.singular_cases, 1)),
             free=self._free(),
             chosen=self.chosen,
+            turns=self._left_in_angles(),
             same=self.same,
             met=True,
             angle_results=euler.names,
@@ -239,6 +241,12 @@ class Comparison:
             style=self.problem.style,
             short_names=euler.names,
         )
+
+    def _left_in_angles(self) -> tuple[Symbol, ...]:
+        """The names that stand in angles which are no arctangents any more: these may go round any often."""
+        found = [step.result for step in self.steps() if step.rule == "regular"]
+        names = [free_symbols(each) for each in found if not any(isinstance(n, Call) for n in walk(each))]
+        return tuple(map(Symbol, sorted(frozenset().union(*names))))
 
     def _free(self) -> Phrase | None:
         first, _, last = map(Symbol, self.euler.outer)

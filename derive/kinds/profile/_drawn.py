@@ -17,11 +17,12 @@ from derive.kinds.checks import close, law, route
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.profile._pieces import Span, in_floats
+from derive.kinds.profile._units import sort_at
 from derive.kinds.profile._written import Written
 from derive.kinds.sure import place
 from derive.kinds.values_at import point_of
 from derive.mechanics.course import Course, at, extremes, sampled
-from derive.mechanics.profile import Profile, Sort
+from derive.mechanics.profile import Profile
 
 SLACK = 1e-9
 NONE: Mapping[str, Expr] = MappingProxyType({})
@@ -70,7 +71,7 @@ class Drawn:
             (kept[-1].end, at(kept, kept[-1].end))
         ]
         turned = self.problem.style.degrees or self.in_degrees
-        sort: Sort = "angle" if self.in_degrees and not self.profile.sort else self.profile.sort
+        sort = sort_at(self.profile, self.evaluate)
         limits = limits_drawn(self.profile, self.problem)
         times = self.marked(moments)
         return (panels(name, {"": kept}, sort, turned, times, limits, knots if through else ()),)

@@ -19,8 +19,9 @@ from derive.kinds.profile._shape_told import claims_of as claims_of_shape
 from derive.kinds.profile._shape_told import courses_of, facts_of, steps_of
 from derive.kinds.profile._shapes import TIME
 from derive.kinds.profile._switched_told import fastest_between
+from derive.kinds.profile._units import sort_at
 from derive.kinds.values_at import point_of
-from derive.mechanics.profile import Profile, Sort
+from derive.mechanics.profile import Profile
 
 USES = frozenset({"start_velocity", "end_velocity"})
 CLAIMED = dict.fromkeys(
@@ -77,8 +78,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         end = next(iter(courses.values()))[-1].end
         typed = any(isinstance(node, Degrees) for _, tree in options.evaluate or () for node in walk(tree))
         turned = problem.style.degrees or typed
-        sort: Sort = "angle" if typed and not profile.sort else profile.sort
-        plots = (panels("motion", courses, sort, turned, {TIME: end}),)
+        plots = (panels("motion", courses, sort_at(profile, options.evaluate), turned, {TIME: end}),)
     return Derivation(
         "minimum-time",
         steps,

@@ -38,6 +38,7 @@ from derive.kinds.profile._shape_told import (
     said_of_case,
     steps_of,
 )
+from derive.kinds.profile._units import sort_at
 from derive.kinds.values_at import point_of
 from derive.mechanics.profile import Profile, Units
 
@@ -99,7 +100,9 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     plots: tuple[Figure, ...] = ()
     if courses:
         end = next(iter(courses.values()))[-1].end
-        plots = (panels("motion", courses, profile.sort, problem.style.degrees, {NEW: end}),)
+        plots = (
+            panels("motion", courses, sort_at(profile, options.evaluate), problem.style.degrees, {NEW: end}),
+        )
     return Derivation(
         "time-scaling",
         steps,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Literal
 
 from derive.algebra.numbers import floats as numeric
@@ -21,6 +22,7 @@ from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach import drawn, sampled
 from derive.kinds.robot._reach.checks import Reached
+from derive.kinds.robot._reach.dexterous import described, rings, rings_within, with_unit
 from derive.kinds.robot._reach.every_way import dexterous
 from derive.kinds.robot._reach.facts import Facts as Facts
 from derive.kinds.robot._reach.facts import Limits
@@ -108,6 +110,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     inner = secondary(problem, region) if planar else None
     plots = _pictures(problem, region, options, inner)
     facts = _facts(problem, region, point, inner, plots)
+    if inner and not region.slides:
+        everywhere = rings(problem, region)
+        facts = replace(facts, secondary=_in_lengths(problem, described(everywhere)))
+        turned = TurningAbout(problem, found, point).rings(everywhere)
+        work = work.claim(route("orientations", turned))
     reached = Reached(problem, found, point, region, {1: r_max, -1: r_min})
     work = work.claim(*reached.claims(steps, region.smallest[-1] == ZERO, inner))
     called = region_told(region, region.smallest[-1] == ZERO)
@@ -145,12 +152,18 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
     unlinked = [step.name for step in steps if any(_is_no_form(each) for each in step.chain)]
     work = Work(problem, uses=(problem.ask("forward-kinematics"),)).step(*steps).linked(but=unlinked)
     units = {heads[name]: f"m^{k}" for k, name in ((2, "area"), (3, "volume")) if unit_of_lengths(problem)}
-    work = work.claim(*sampled.claims(problem, found, point, shape, steps, told))
-    plots = tuple(drawn.plots(problem, found, point, shape, told, options.evaluate or ()))
-    spare = tuple(i for i, _ in found.moving if i not in shape.rows and i <= point.last)
-    loose = tuple(i for i in spare if problem.subject.links[i - 1].range is None)
     planar = shape.kind in ("ring", "rail", "bent")
     turning = [i for i in shape.rows if found.joint(i).type == "revolute"]
+    spare = tuple(i for i, _ in found.moving if i not in shape.rows and i <= point.last)
+    loose = tuple(i for i in spare if problem.subject.links[i - 1].range is None)
+    orientations = shape_orientations(
+        shape, spare, bool(turning) and turns_freely(found, turning, loose, planar), planar
+    )
+    everywhere = None
+    if orientations.key == "last-link-within":
+        everywhere = rings_within(problem, shape.far_start, shape.link, shape.gap or ZERO)
+    work = work.claim(*sampled.claims(problem, found, point, shape, steps, told, everywhere))
+    plots = tuple(drawn.plots(problem, found, point, shape, told, options.evaluate or ()))
     facts = Facts(
         arm=shape.arm,
         shoulder=None,
@@ -159,9 +172,8 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
         closed=None,
         nearer=None if shape.side == ZERO else Phrase("not-nearer", {"side": shape.side}),
         kinds=_kinds(planar, shape.lift is not None),
-        orientations=shape_orientations(
-            shape, spare, bool(turning) and turns_freely(found, turning, loose, planar), planar
-        ),
+        orientations=_in_lengths(problem, orientations),
+        secondary=_in_lengths(problem, described(everywhere)) if everywhere else None,
         plots=tuple(plot.name for plot in plots),
         limits=_limits(problem, found, shape),
         limited=Limits(
@@ -177,6 +189,10 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
     return work.answer(
         "workspace", {**told, "description": shape.description}, facts, plots=plots, units=units
     )
+
+
+def _in_lengths(problem: Problem, told: Phrase) -> Phrase:
+    return with_unit(told, unit_of_lengths(problem))
 
 
 def _kinds(planar: bool, lifted: bool) -> Phrase:

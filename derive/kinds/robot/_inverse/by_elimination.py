@@ -99,6 +99,7 @@ def derive(chain: Chain, target: Target, place: Place, problem: Problem) -> Deri
         eliminated=found.told,
         at_pose=(found.end, _pose_by_names(target)),
         feasible=ranges.said,
+        turn_limits=ranges.of_angles,
         place=values.place.said,
         labels=tuple(str(k) for k, _ in enumerate(solutions, 1)),
         numbers=("solutions",) if solutions else (),

@@ -104,7 +104,7 @@ def derive(
     work = work.claim(*Seen(worked, trial, choices).claims())
     work = work.claim(*ranges.claims(values))
     facts = Told(worked, solutions, choices).facts(trial.partial, values, in_degrees(problem, place))
-    facts = replace(facts, feasible=ranges.said)
+    facts = replace(facts, feasible=ranges.said, turn_limits=ranges.of_angles)
     read = facts.wrist is not None and facts.wrist.stands  # off the pose of the end-effector
     unread = frozenset() if read else LINKS_ALONE
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values, unread=unread)

@@ -55,6 +55,11 @@ class Ranges:
             return None
         return Phrase("feasible-by-turns" if self.turns else "feasible", {"ranges": self.told})
 
+    @property
+    def of_angles(self) -> Limits:
+        """In radians, those of joints that turn."""
+        return {name: ends for name, ends in (self.limits or {}).items() if name not in self.slides}
+
     def claims(self, found: Evaluated) -> Iterator[Claim]:
         """A joint turns within its range where it is no further from the middle than the ends are, and slides
         there where it is no further from each end than the other one."""

@@ -90,6 +90,7 @@ def derive(
     facts = Facts(
         triangle=triangle,
         feasible=ranges.said,
+        turn_limits=ranges.of_angles,
         place=values.place.said,
         labels=_labels(conditions, values),
         remark=values.remark,

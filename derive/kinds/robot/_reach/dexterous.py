@@ -7,14 +7,14 @@ first axis. A position at the distance r needs r + l <= b and |r - l| >= a (Crai
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.signs import sign_of
 from derive.derivation import Phrase, Said
 from derive.errors import NotDerivable
-from derive.expression import PI, ZERO, Expr, Symbol, add, multiply
+from derive.expression import PI, ZERO, Expr, Number, Symbol, add, measured, multiply
 from derive.kinds.problem import Problem
 from derive.kinds.robot._reach.regions import Region, final_distance, secondary
 from derive.names import free
@@ -66,6 +66,23 @@ def rings(problem: Problem, region: Region) -> Rings:
     chain = (far,) if written == far else (written, far)
     names = (Symbol(free(problem.taken, f"rho_{k}")) for k in (1, 2))
     return Rings(last, chain, gap, _pieces(problem, far, last, gap), *names)
+
+
+def rings_within(problem: Problem, far: Expr, last: Expr, gap: Expr) -> Rings:
+    """The same, where the last link turns round at a position that is no further than `far`, and starts no
+    nearer to the axis than `gap`."""
+    names = (Symbol(free(problem.taken, f"rho_{k}")) for k in (1, 2))
+    return Rings(last, (far,), gap, _pieces(problem, far, last, gap), *names)
+
+
+def with_unit(told: Phrase, unit: str) -> Phrase:
+    """What the region is called, its numbers with their unit."""
+    about = {
+        key: with_unit(value, unit) if isinstance(value, Phrase)
+        else measured(value, unit) if isinstance(value, Number) else value
+        for key, value in told.about.items()
+    }  # fmt: skip
+    return replace(told, about=about)
 
 
 def _pieces(problem: Problem, far: Expr, last: Expr, gap: Expr) -> tuple[tuple[Expr, Expr], ...] | None:

@@ -29,6 +29,7 @@ class Facts(PageFacts):
 
     kinds: Phrase  # what is meant by such a workspace
     orientations: Phrase
+    secondary: Phrase | None = None  # what has every orientation, where these words do not name it
     arm: Phrase | None = None
     shoulder: tuple[Expr, Expr] | None = None  # where distances from it count
     description: Phrase | None = None

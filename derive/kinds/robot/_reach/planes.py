@@ -21,12 +21,16 @@ CARRIED = {  # on a rail, what carries the point, and whether that stands aside
     (True, "links", False): "rail-links",
     (True, "slide", False): "rail-slide",
     (True, "slide", True): "rail-slide-aside",
+    (True, "slide-and-link", False): "rail-slide-and-link",
+    (True, "slide-and-link", True): "rail-slide-and-link-aside",
     (True, "slide-and-links", False): "rail-slide-and-links",
     (True, "slide-and-links", True): "rail-slide-and-links-aside",
     (False, "link", False): "turning-links",
     (False, "links", False): "turning-links",
     (False, "slide", False): "turning-slide",
     (False, "slide", True): "turning-slide-aside",
+    (False, "slide-and-link", False): "turning-slide-and-link",
+    (False, "slide-and-link", True): "turning-slide-and-link-aside",
     (False, "slide-and-links", False): "turning-slide-and-links",
     (False, "slide-and-links", True): "turning-slide-and-links-aside",
 }
@@ -130,13 +134,14 @@ def _told(ranged: Ranged, arm: Flat) -> Phrase:
     }
     if arm.rail:
         about["rail"] = Symbol(ranged.chain.joint(arm.rail).variable)
-    links = bool(about["lengths"])
+    links = len(arm.stretches) - len(slides)
     asides = tuple(
         ranged.typed(each.aside) for each in arm.stretches if each.stride is not None and each.aside
     )
     about["asides"] = asides
-    single = not slides and len(arm.stretches) == 1
-    carried = "link" if single else "links" if not slides else "slide-and-links" if links else "slide"
+    carried = "link" if links == 1 else "links"
+    if slides:
+        carried = f"slide-and-{carried}" if links else "slide"
     return Phrase(CARRIED[bool(arm.rail), carried, bool(asides)], about)
 
 

@@ -17,6 +17,7 @@ from derive.kinds.fields import TREES
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import Tracked
+from derive.kinds.robot._reach.dexterous import Rings, holds, near_an_end, samples
 from derive.kinds.robot._reach.in_numbers import FAR, SMALL, Values
 from derive.kinds.robot._reach.inside import Inside
 from derive.kinds.robot._reach.ranged import R_MAX, R_MIN
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 
-TRIES, POINTS = 200, 2
+TRIES, POINTS, RADII = 200, 2, 60
 CELLS = {1: 40, 2: 24, 3: 9}  # of the bounding box in each direction, by its dimensions
 THROWN = 200_000  # places at random in the bounding box
 NEAR = 4.0  # up to where an endless workspace is looked at
@@ -129,9 +130,10 @@ class Sampled(Inside):
 
 def claims(
     problem: Problem, found: Chain, point: Tracked, shape: Shape, steps: Sequence[Step],
-    told: Mapping[str, Expr],
+    told: Mapping[str, Expr], rings: Rings | None,
 ) -> Iterator[Claim]:  # fmt: skip
-    """About the region and its size, at lengths and limits drawn at random where they are letters."""
+    """About the region, its size and where every orientation is possible, at lengths and limits drawn at
+    random where they are letters."""
     oracle = oracle_of(problem)
     drawn = [dict(oracle.at(at)) for at in random_points(problem.symbols, TRIES)]
     points = [at for at in drawn if _in_order(problem, at)][:POINTS]
@@ -141,6 +143,8 @@ def claims(
     yield route("filled", (each.is_filled() for each in tried))
     yield route("lines", (held for at in points for held in _lines(steps, at, told)))
     yield route("called", (held for at in points for held in _called(shape, at)))
+    if rings:
+        yield route("orientations", (held for at in points for held in _turned_about(shape, rings, at)))
     if shape.measure:
         size = told[shape.measure]
         yield route("measured", (each.measured(numeric.number(size, each.at)) for each in tried))
@@ -174,6 +178,21 @@ def _turned_round(shape: Shape, at: Values) -> Iterator[bool]:
     yield close(numeric.number(shape.far_start, at), high - 2 * link)
     if low > SMALL:
         yield close(numeric.number(shape.gap or ZERO, at), low + link)
+
+
+def _turned_about(shape: Shape, rings: Rings, at: Values) -> Iterator[bool]:
+    """Whether a distance lies in the rings just where the last link, which ever way it points, starts in the
+    ring that the others reach."""
+    if rings.pieces is None:
+        yield True
+        return
+    pieces = [(numeric.number(low, at), numeric.number(high, at)) for low, high in rings.pieces]
+    link, gap, high = (
+        numeric.number(each, at) for each in (shape.link, shape.gap or ZERO, shape.distance.high or ZERO)
+    )
+    for r in samples(high, RADII):
+        if not near_an_end(pieces, r, CLOSE * high):
+            yield holds(pieces, r) == (r + 2 * link <= high and abs(r - link) >= gap)
 
 
 # Whether the arm is folded, and whether it is stretched, where its elbow changes the side.
