@@ -17,15 +17,19 @@ from derive.render.skin import environment
 
 Q = re.compile(r"q(_[ijk]+)?(_?d?dot)?")  # q, its rates, and any of its entries
 RATE = re.compile(r"q_?d?dot")
+TYPED = re.compile(r"(?<![A-Za-z\\])(?<!delta )q(?:_(?:k|\{k[^}]*\}))?(?![A-Za-z_])")  # and q_k
 POINT = re.compile(r"q_[1-9]\d*")  # where points are called so, q is one of them; q_0 is where joints begin
 WORDS = "words/_coordinates.j2"
 
 
 def speaks_of_q(printed: Iterable[Printed]) -> bool:
     """Whether a formula has the vector q, or an entry of it in general."""
-    found = _named(printed)
-    q = RATE if any(map(POINT.fullmatch, found)) else Q
-    return any(map(q.fullmatch, found))
+    formulas = [*printed]
+    found = _named(formulas)
+    if any(map(POINT.fullmatch, found)):
+        return any(map(RATE.fullmatch, found))
+    typed = (line for each in formulas if not each.chains for line in each.lines)
+    return any(map(Q.fullmatch, found)) or any(map(TYPED.search, typed))
 
 
 def point_by_q(printed: Iterable[Printed], variables: Iterable[str]) -> str:
@@ -51,11 +55,11 @@ def _name(node: Expr) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Spoken:
-    """What goes by q on a sheet: the joint variables of `arms`, each with its notation and its first problem;
+    """What goes by q on a sheet: the joint variables of `arms`, each with its notation and its problems;
     another quantity in problems without joints; a point of an axis by q and an index, in these problems of
     all that were `read`. Formulas of `silent` arms do without q."""
 
-    arms: dict[tuple[str, ...], tuple[Notation, int]] = field(default_factory=dict)
+    arms: dict[tuple[str, ...], tuple[Notation, tuple[int, ...]]] = field(default_factory=dict)
     other: bool = False
     point: str = ""
     points: tuple[int, ...] = ()
@@ -68,19 +72,20 @@ class Spoken:
         point = point_by_q(formulas, variables) if variables else ""
         points = dict.fromkeys((*self.points, problem.number)) if point else self.points
         known = replace(self, point=self.point or point, points=(*points,), read=self.read | {problem.number})
-        if not speaks_of_q(formulas):
-            return replace(known, silent=self.silent | {variables} if variables else self.silent)
         if not variables:
-            return replace(known, other=True)
-        arms = {variables: (problem.notation, problem.number)} | self.arms
-        return replace(known, arms={**self.arms, **arms})
+            return replace(known, other=self.other or "q" in _named(formulas) or speaks_of_q(formulas))
+        if not speaks_of_q(formulas):
+            return replace(known, silent=self.silent | {variables})
+        notation, numbers = self.arms.get(variables, (problem.notation, ()))
+        met = dict.fromkeys((*numbers, problem.number))
+        return replace(known, arms={**self.arms, variables: (notation, (*met,))})
 
 
 def coordinates(spoken: Spoken, printed: list[Printed]) -> str:
     """The sentence for the first of the arms, "" where there is none; its formula is added to `printed`."""
     if not spoken.arms:
         return ""
-    variables, (notation, number) = next(iter(spoken.arms.items()))
+    variables, (notation, numbers) = next(iter(spoken.arms.items()))
     printer = Printer(notation, in_line=True)
     trees = Symbol("q"), column(map(Symbol, variables))
     chain = tuple(Link("=", printer.write(tree), tree) for tree in trees)
@@ -90,8 +95,8 @@ def coordinates(spoken: Spoken, printed: list[Printed]) -> str:
     point = alone(Symbol(spoken.point), notation, printed) if spoken.point else ""
     several, others = len(variables) > 1, len(spoken.arms) > 1
     alone_so = spoken.other or (not others and bool(spoken.silent - {*spoken.arms}))
-    problem = number if alone_so else 0
+    problems = numbers if alone_so else ()
     points = spoken.points if spoken.read - {*spoken.points} else ()
     return words.render(
-        q=q, several=several, others=others, problem=problem, point=point, points=points
+        q=q, several=several, others=others, problems=problems, point=point, points=points
     ).strip()

@@ -41,7 +41,7 @@ from derive.mechanics.oracle import made, slope, vee
 from derive.mechanics.poses import UNIT, skew
 
 SUBJECTS = ("motion", "frames", "robot")
-T, OMEGA = symbols("T omega")
+E, OMEGA = symbols("E omega")  # E of Craig, for T is a pose
 AXES = symbols("omega_x omega_y omega_z")
 DIFFERENCES = 1e-6
 NEAR = 1e-3  # a singular angle (rad)
@@ -70,24 +70,24 @@ class Facts(PageFacts):
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
-    """T (3 by 3), each column of which is the axis about which its angle turns, and the rates T^-1 omega
-    (Siciliano et al., section 3.6)."""
+    """E (3 by 3), each column of which is the axis about which its angle turns, and the rates E^-1 omega
+    (Siciliano et al., section 3.6; Craig, eq. 5.42)."""
     euler, body = Euler(Convention.of(options.convention), _names(options, problem)), options.frame == "body"
-    axes = tuple(Symbol(f"t_{name}") for name in euler.names)
+    axes = tuple(Symbol(f"e_{name}") for name in euler.names)
     work = Work(problem.ordered(euler.names), factors_of(euler))
     for axis, name in zip(axes, euler.names, strict=True):
         work = work.line(axis, _axis(euler, name, body), rule="axis")
-    work = work.line(T, Matrix((axes,)), rule="rate-matrix")
-    det, inverse = Call("det", (T,)), Call("inverse", (T,))
+    work = work.line(E, Matrix((axes,)), rule="rate-matrix", label="T")
+    det, inverse = Call("det", (E,)), Call("inverse", (E,))
     rates = column(Symbol(f"{name}_dot") for name in euler.names)
-    filled = work[T] * rates
-    work = work.step(Step("omega", (OMEGA, T * rates, filled), "in-numbers"))
+    filled = work[E] * rates
+    work = work.step(Step("omega", (OMEGA, E * rates, filled), "in-numbers"))
     work = work.line(det, rule="determinant", label="det")
     work = work.line(rates, inverse * column(AXES), rule="in-numbers", label="rates")
     middle, singular = euler.outer[1], [euler.singular(sign).middle for sign in SIGNS]
     where = Phrase("singular-where", {"zero": Relation(det, "=", ZERO)})
     results: dict[str, Result] = {
-        "T": work[T],
+        "T": work[E],
         "det": work.steps[-2].result,
         "rates": work.steps[-1].result,
         "singular": tuple(Branch({middle: value}, (where,)) for value in singular),
@@ -98,6 +98,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         zeros=tuple((Symbol(middle), fixed_angle(turns_of(value), problem)) for value in singular),
         outer=(Symbol(euler.outer[0]), Symbol(euler.outer[2])),
         short_names=euler.names,
+        page_names={"T": E},
     )
     work = _proved(work, euler, facts)
     if options.angles is None and _of_motion(subject, euler.convention) is not None:
@@ -115,14 +116,14 @@ def _axis(euler: Euler, name: str, body: bool) -> Expr:
 
 
 def _proved(work: Work, euler: Euler, facts: Facts) -> Work:
-    """S(t_i) = dR/dangle R^T for each angle, T T^-1 = 1, det zero where it is said to be; and omega by
+    """S(e_i) = dR/dangle R^T for each angle, E E^-1 = 1, det zero where it is said to be; and omega by
     differences of rotations composed in numbers."""
-    T_now, R, body = work.value_matrix(T), euler.matrix, facts.body
+    E_now, R, body = work.value_matrix(E), euler.matrix, facts.body
     turning = (R.T @ R.diff(name) if body else R.diff(name) @ R.T for name in euler.names)
-    work = work.law("angular-velocities", (skew(T_now.columns(k)) == S for k, S in enumerate(turning)))
+    work = work.law("angular-velocities", (skew(E_now.columns(k)) == S for k, S in enumerate(turning)))
     rates = normal_matrix(work.steps[-1].result)
-    work = work.law("inverse", T_now @ rates == normal_matrix(column(AXES)))
-    det = work.problem.readable(T_now.det())
+    work = work.law("inverse", E_now @ rates == normal_matrix(column(AXES)))
+    det = work.problem.readable(E_now.det())
     zeros = [normal(det, {name: value}) == 0 for name, value in facts.zeros]
     work = work.law(
         "singular", (*zeros, len(set(facts.zeros)) == 2)
@@ -140,7 +141,7 @@ def _grow(euler: Euler, facts: Facts, symbols: Collection[str]) -> Iterator[bool
 
     for (name, value), at in zip(facts.zeros, random_points(symbols, len(facts.zeros)), strict=False):
         near = {**at, name.name: value_of(value, {}) + NEAR}
-        rates = np.linalg.inv(np.array(_meant(euler, facts.body, near)[T], dtype=float))
+        rates = np.linalg.inv(np.array(_meant(euler, facts.body, near)[E], dtype=float))
         great = np.linalg.norm(rates, axis=1) > GREAT
         yield [each in {angle.name for angle in facts.outer} for each in euler.names] == great.tolist()
 
@@ -155,14 +156,14 @@ def _meant(euler: Euler, body: bool, at: Point) -> Names:
         rate = slope(lambda moved: rotation_at(euler, moved), at, {name: 1})
         axes.append(vee(R.T @ rate if body else rate @ R.T))
     rates = np.array([at[f"{name}_dot"] for name in euler.names])
-    T_now = np.array(axes).T
+    E_now = np.array(axes).T
     names: dict[Expr, Any] = {
-        Symbol(f"t_{name}"): column_of(axis) for name, axis in zip(euler.names, axes, strict=True)
+        Symbol(f"e_{name}"): column_of(axis) for name, axis in zip(euler.names, axes, strict=True)
     }
-    names |= dict(zip(AXES, T_now @ rates, strict=True))
+    names |= dict(zip(AXES, E_now @ rates, strict=True))
     factors = zip(factors_of(euler), euler.factors, strict=True)
     names |= {factor: made((move,), at)[:3, :3] for factor, move in factors}
-    return {**names, T: T_now, OMEGA: column_of(T_now @ rates)}
+    return {**names, E: E_now, OMEGA: column_of(E_now @ rates)}
 
 
 def _names(options: Options, problem: Problem) -> tuple[str, str, str]:

@@ -19,6 +19,7 @@ from derive.expression import replace as put_in
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Place
 from derive.kinds.pose import euler_rates
+from derive.kinds.pose.euler_rates import E
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._columns import Facts
@@ -34,11 +35,11 @@ from derive.mechanics.task import ROWS, rows_of
 
 DIFFERENCES = 1e-5
 SMALL = 1e-9
-J, J_A, J_V, J_OMEGA, T = symbols("J J_a J_v J_omega T")
+J, J_A, J_V, J_OMEGA = symbols("J J_a J_v J_omega")
 
 
 def analytic(options: Any, problem: Problem) -> Derivation:
-    """J_a = diag(1, T^-1) J (6 by n; Siciliano et al., eq. 3.65; Spong et al., eq. 4.88).
+    """J_a = diag(1, E^-1) J (6 by n; Siciliano et al., eq. 3.65; Spong et al., eq. 4.88).
 
     Raises NotDerivable in the frame of the tool: the rates of angles have no axes.
     """
@@ -55,8 +56,8 @@ def analytic(options: Any, problem: Problem) -> Derivation:
     J_v, J_omega = map(problem.readable_matrix, (linear, angular))
     angular_rates = rate_matrix(euler).inverse() @ angular
     found = ScalarMatrix.stacked([linear, angular_rates])
-    block = Matrix(((J_V,), (Call("inverse", (T,)) * J_OMEGA,)))
-    work = Work(problem, uses=(base, rates)).knowing({J_V: J_v, J_OMEGA: J_omega, T: rates.definitions[T]})
+    block = Matrix(((J_V,), (Call("inverse", (E,)) * J_OMEGA,)))
+    work = Work(problem, uses=(base, rates)).knowing({J_V: J_v, J_OMEGA: J_omega, E: rates.definitions[E]})
     work = work.line(J_A, block, value=found, rule="analytic")
     head: Symbol | Indexed = J_A
     own = () if options.rows else _joints_of(problem, euler, frame)
@@ -106,7 +107,7 @@ def _in_joints(
     problem: Problem, euler: Euler, own: tuple[str, ...], linear: ScalarMatrix, angular: ScalarMatrix,
     found: ScalarMatrix,
 ) -> Step:  # fmt: skip
-    """J_a with the joint variables in place of the angles, found anew from their own T."""
+    """J_a with the joint variables in place of the angles, found anew from their own E."""
     first, second, third = own
     rates = rate_matrix(replace(euler, names=(first, second, third))).inverse() @ angular
     values = dict[Expr, Expr](zip(map(Symbol, euler.names), map(Symbol, own), strict=True))
@@ -165,7 +166,7 @@ def _refuse_singular(problem: Problem, euler: Euler, frame: int) -> None:
         if abs(numeric.scalar_number(det, _angles(problem, euler, frame, known))) > SMALL:
             return
     raise NotDerivable(
-        "in every configuration of this arm these angles are singular (det T = 0): choose another convention",
+        "in every configuration of this arm these angles are singular (det E = 0): choose another convention",
         "convention",
     )
 
