@@ -30,8 +30,8 @@ def shape_told(path: Path, s: Symbol) -> Phrase:
     match path.shape:
         case Line():
             return Phrase("line-by-length", {"s": s})
-        case Arc(pitch=None):
-            return Phrase("circle-by-length", {"s": s})
+        case Arc(pitch=None, axis=axis):
+            return Phrase("circle-by-length" if axis is None else "circle-in-space-by-length", {"s": s})
         case Arc():
             return Phrase("helix-by-angle", {"s": s})
         case Curve():

@@ -18,6 +18,8 @@ from derive.expression import (
     Derivative,
     Expr,
     Matrix,
+    Measured,
+    Number,
     Symbol,
     add,
     column,
@@ -61,6 +63,8 @@ class Facts(PageFacts):
     rates: tuple[str, ...]
     residuals: tuple[str, ...]
     gains: tuple[tuple[Expr, Expr], ...]  # those that are given by a value
+    chosen: tuple[Symbol, ...]  # those of which nothing is given
+    geared: bool  # a motor turns faster than its joint
     slowest: tuple[Expr, ...]  # time constants
     rubbing: bool
     effort: Phrase  # of a joint
@@ -100,7 +104,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         known=tuple(each.alpha.name for each in names),
         rates=tuple(step.name for step in rates),
         residuals=tuple(step.name for step in observers),
-        gains=tuple(dict.fromkeys((each.k, each.gain) for each in names if each.k != each.gain)),
+        gains=tuple(dict.fromkeys((each.k, _per_second(each.gain)) for each in names if each.k != each.gain)),
+        chosen=tuple(each.k for each in names if options.gain is None),
+        geared=any(link.motor is not None and link.motor.ratio != ONE for link in robot.links),
         slowest=tuple(dict.fromkeys(ONE / each.k for each in names)),
         rubbing=any(rubbing),
         effort=effort(robot),
@@ -142,6 +148,11 @@ class Joint:
         return multiply(self.gain if final else self.k, self.ext - self.r)
 
 
+def _per_second(gain: Expr) -> Expr:
+    """With its unit, where it is a number."""
+    return Measured(gain, "1/s") if isinstance(gain, Number) else gain
+
+
 def _names(options: Options, arm: Arm) -> tuple[Joint, ...]:
     """The letters of each joint. Raises NotDerivable for as many gains as there are not joints."""
     n, taken = len(arm.variables), arm.problem.taken
@@ -150,9 +161,10 @@ def _names(options: Options, arm: Arm) -> tuple[Joint, ...]:
         joints = f"{n} joints: give one, or one for each" if n > 1 else "one joint"
         raise NotDerivable(f"{len(given)} gains for {joints}", "gain")
     ends = tuple(f"_{k}" for k in range(1, n + 1))
+    taken |= {name.name for name in arm.inertia.definitions if isinstance(name, Symbol)}  # axes beside frames
     p, alpha, r, tau, ext = (
         free(taken, *letters, indices=ends)
-        for letters in (("p", "P"), ("alpha", "beta"), ("r", "rho"), ("tau", "Q"), ("tau_ext", "Q_ext"))
+        for letters in (("p", "h", "P"), ("alpha", "beta"), ("r", "rho"), ("tau", "Q"), ("tau_ext", "Q_ext"))
     )
     letter = free(taken, "k", "kappa", indices=ends)
     found = []
