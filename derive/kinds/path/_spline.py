@@ -45,7 +45,7 @@ from derive.mechanics.paths import Via
 from derive.names import free
 
 AXES = symbols("x y z")
-C = symbols("c_0 c_1 c_2 c_3")
+C = symbols("a_0 a_1 a_2 a_3")
 ORDERS = 3  # the place and two derivatives
 
 

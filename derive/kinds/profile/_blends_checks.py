@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice, pairwise
-from math import inf
+from math import inf, isclose
 from typing import Any
 
 from derive.algebra.numbers.floats import Point, completed
@@ -137,9 +137,16 @@ class Blends:
 
         (by, value), (start, end) = self.given, (self.found.start, self.found.end)
         trees = {key: tree for key, tree in told.about.items() if isinstance(tree, TREES)}
+        bounds: list[tuple[Expr, Expr]] = []
+        for key, bound in told.about.items():
+            if isinstance(bound, Relation) and not isinstance(bound.left, Relation):
+                yield bound.sign == "="
+                trees[key] = bound.left
+                bounds.append((bound.left, bound.right))
         yield told.key == POSSIBLE[by] and trees["given"] == self.found.given and value is not None
         for at in places(self.problem.symbols):
             sizes = {key: worth(tree, at) for key, tree in trees.items()}
+            yield all(isclose(worth(one, at), worth(other, at)) for one, other in bounds)
             way = worth(end, at) - worth(start, at)
             if worth(self.found.T, at) <= 0 or sizes["given"] * (1.0 if by == "t_b" else way) <= 0:
                 continue

@@ -24,7 +24,7 @@ CONTINUOUS = ("q-is-continuous", "velocity-is-continuous", "acceleration-is-cont
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """q = c_0 + c_1 (t - start) + ... from `start` to `end`."""
+    """q = a_0 + a_1 (t - start) + ... from `start` to `end`."""
 
     start: Expr
     end: Expr

@@ -25,7 +25,7 @@ EACH = 2  # points
 CLOSE = 1e-7
 WITHIN = (0.3, 0.8)  # of a piece
 OTHERS = (1.5, 4.25)  # velocities, told from where they begin
-C = tuple(Symbol(f"c_{k}") for k in range(4))
+C = tuple(Symbol(f"a_{k}") for k in range(4))
 FROM, TO, Q = Symbol("from"), Symbol("to"), Symbol("q")
 
 

@@ -8,7 +8,7 @@ from derive.derivation import Step
 from derive.expression import MINUS_ONE, ONE, Expr, Indexed, add, multiply, number, symbols
 
 K, TAU, Q = symbols("k tau q")
-C = symbols("c_0 c_1 c_2 c_3")
+C = symbols("a_0 a_1 a_2 a_3")
 TWO, THREE = number(2), number(3)
 BEFORE, HERE, AFTER = K - ONE, K, K + ONE
 

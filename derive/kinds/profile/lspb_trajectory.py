@@ -5,13 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
+from derive.algebra.rationals import significant_digits
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Record, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Relation, Symbol
+from derive.expression import Degrees, Expr, Number, Relation, Symbol, measured
 from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.profile._blends import POSSIBLE, T_B, Blended, V, blended, filled_laws, filled_span
+from derive.kinds.profile._blends import (
+    POSSIBLE,
+    T_B,
+    Blended,
+    V,
+    blended,
+    filled_laws,
+    filled_span,
+    worked_out,
+)
 from derive.kinds.profile._blends_checks import Blends
 from derive.kinds.profile._drawn import Drawn, LimitTold
 from derive.kinds.profile._pieces import Span, branch, joined, times_of
@@ -22,6 +32,7 @@ from derive.mechanics.profile import Profile, Units
 NEEDS = ("journey",)
 USES = frozenset({"cruise", "acceleration", "blend"})
 q = Symbol("q")
+SHORT, LONG = 5, 99  # digits of a bound
 CLAIMS = ("q-is-continuous", "velocity-is-continuous", "ends-there", "ends-at-rest", "as-told")
 CLAIMED = dict.fromkeys(("q", "t_f", "t_b", "v", "a"), "as-told")
 
@@ -69,6 +80,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     lines = tuple(step.name for step in work.steps)
     shown = [k for k in (1, 2, 3) if k != 2 or work.sign(found.T - 2 * T_B) != 0]
     facts = _facts(found, lines, profile, drawn, shown)
+    facts = replace(facts, numbers=tuple(n for n, tree in results.items() if not isinstance(tree, Symbol)))
     steps = _piece_steps(found.laws(), laws, found.open)
     work = replace(work.showing(*(steps[k - 1] for k in shown)), uses=found.uses).linked()
     work = work.claim(*joined(found.spans(), work, 2), *_ends_of(found, work))
@@ -127,7 +139,7 @@ def _facts(
         lines=lines,
         back=_back(found),
         smaller=Phrase("smaller-root") if found.by == "a" else None,
-        possible=_possible(found) if found.open else None,
+        possible=_possible(found),
         pieces=tuple(PieceTold(step=f"piece_{k}", what=_piece(k, span)) for k, span in spans.items()),
         how=_how(found),
         drawn=drawn.course is not None,
@@ -157,7 +169,17 @@ def _possible(found: Blended) -> Phrase | None:
     borders: dict[str, dict[str, Expr]] = {
         "v": {"least": way / T, "most": 2 * way / T}, "a": {"least": 4 * way / T**2}, "t_b": {"most": T / 2},
     }  # fmt: skip
-    return Phrase(POSSIBLE[found.by], {"given": found.given, **borders[found.by]})
+    bounds = {name: _with_value(bound, found) for name, bound in borders[found.by].items()}
+    return Phrase(POSSIBLE[found.by], {"given": found.given, **bounds})
+
+
+def _with_value(bound: Expr, found: Blended) -> Expr | Relation:
+    """A bound, and what it comes to where that is short."""
+    value, unit = worked_out(bound, found.working), found.working.units.get(found.given or V, "")
+    if not isinstance(value, Number | Degrees) or (significant_digits(value.value) or LONG) > SHORT:
+        return bound
+    in_size = found.by == "a" and value.value < 0  # of which no sign is told
+    return bound if in_size else Relation(bound, "=", measured(value, unit))
 
 
 def _piece(k: int, span: Span) -> Phrase:

@@ -140,7 +140,7 @@ def _steps(
 
 
 def _facts(knots: Knots, spans: Sequence[Span], profile: Profile, drawn: Drawn, options: Options) -> Facts:
-    c = symbols("c_0 c_1 c_2 c_3")
+    c = symbols("a_0 a_1 a_2 a_3")
     rows = tuple(
         (number(k), s.start, s.end, *(read(each, drawn.problem.style.decimals) for each in s.coefficients))
         for k, s in enumerate(spans, 1)
@@ -162,7 +162,7 @@ def _facts(knots: Knots, spans: Sequence[Span], profile: Profile, drawn: Drawn, 
 
 def _coefficients() -> dict[Expr, int | None]:
     """Those of a piece, each with the time that it is divided by."""
-    return {Symbol(f"c_{k}"): k for k in range(4)}
+    return {Symbol(f"a_{k}"): k for k in range(4)}
 
 
 # -- what it is held to -------------------------------------------------------------------------------
