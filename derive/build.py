@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from derive.derivation import Claim, Derivation, Drawing
-from derive.errors import NotDerivable, SheetError, SheetErrors
+from derive.errors import NotDerivable, SheetError, SheetErrors, met_at
 from derive.evaluate import strange_names, with_numbers
 from derive.expression import ZERO
 from derive.figures.held import Misdrawn
@@ -21,6 +21,7 @@ from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
 from derive.kinds.registry import words_folder
 from derive.lettered import letters_of, unused_letters
+from derive.placing import folder_name, namesakes
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, figure_path
 from derive.render.lettering import STYLES, Style
 from derive.render.notation import Notation
@@ -32,9 +33,7 @@ from derive.sheet.model import Angles, Problem, Question, Sheet, Steps
 from derive.verify import answered, in_decimals
 from derive.writing import Progress, render, write
 
-ODD = re.compile(r"[^\w.-]+")
 CHRISTOFFEL = re.compile(r"c_\d{3}$")
-NAMESAKES = "rename one, or build them into different folders with --output"
 Warn = Callable[[SheetError], None]
 Audit = Callable[[Sequence[Sheet], Sequence[Document]], object]
 
@@ -57,15 +56,11 @@ def build(
     `warn` is told what is strange about a sheet, though it can be built; `audit` sees the documents before
     anything is written, and may raise; `space` leaves room for answers. Without `figures` only those subjects
     are drawn whose sheets ask for it; `steps` says how much of every answer is told. Raises SheetErrors,
-    before anything is written, with the faults of all the sheets; PagesFailed where some pages were written.
+    before anything is written, with the faults of all sheets; NotAllWritten where a page could not be made.
     """
-    if faults := _namesakes(paths):
+    if faults := namesakes(paths):
         raise SheetErrors(faults)
-    sheets = load_all(paths, progress)
-    if not figures:
-        sheets = [_undrawn(sheet) for sheet in sheets]
-    if steps:
-        sheets = [_told_in(sheet, steps) for sheet in sheets]
+    sheets = [as_asked(sheet, figures, steps) for sheet in load_all(paths, progress)]
     for warning in (found for sheet in sheets for found in sheet.warnings):
         warn(warning)
     derived = derive_all(sheets, not problems, progress, warn)
@@ -74,16 +69,6 @@ def build(
     if output is None:
         return tuple(render(document, kind) for document in documents for kind in formats)
     return write(sheets, documents, formats, output, pdf_engine, progress)
-
-
-def _namesakes(paths: Sequence[Path]) -> list[SheetError]:
-    """Sheets whose pages would take each other's place."""
-    first: dict[str, Path] = {}
-    return [
-        SheetError(f"{path}: its pages would have the names of those of {other}", None, NAMESAKES)
-        for path in paths
-        if (other := first.setdefault(_folder_name(path.stem), path)) != path
-    ]
 
 
 def load_all(paths: Sequence[Path], progress: Progress) -> list[Sheet]:
@@ -121,8 +106,13 @@ def each(
 
 def assemble(sheet: Sheet, solutions: bool = True, warn: Warn = lambda _: None) -> Document:
     """The sheet with its answers, ready to be printed. Raises SheetErrors where there is no answer."""
-    folder = _folder_name(_name(sheet, solutions))
-    pages = each(sheet.problems, lambda problem: _page(sheet, problem, folder, solutions, warn))
+    folder = folder_name(_name(sheet, solutions))
+
+    def page(problem: Problem) -> ProblemPage:
+        with met_at(problem.place):
+            return _page(sheet, problem, folder, solutions, warn)
+
+    pages = each(sheet.problems, page)
     pages = [*_told_apart(pages)]
     answers = [page.derivation for each_page in pages for page in each_page.questions if page.derivation]
     for needless in unused_letters(sheet.notation, answers):
@@ -139,6 +129,13 @@ def assemble(sheet: Sheet, solutions: bool = True, warn: Warn = lambda _: None) 
         solutions=solutions,
         paper=sheet.paper,
     )
+
+
+def as_asked(sheet: Sheet, figures: bool, steps: Steps | None) -> Sheet:
+    """The sheet with only those figures that it asks for, told in so many steps, where that is wanted."""
+    if not figures:
+        sheet = _undrawn(sheet)
+    return _told_in(sheet, steps) if steps else sheet
 
 
 def _told_in(sheet: Sheet, steps: Steps) -> Sheet:
@@ -332,11 +329,6 @@ def _question(
         question.number, question.find, question.text, marks, question.hint, answer, order, at,
         folder=folder, place=question.place, claims=claims, once=left, steps=question.steps or sheet.steps,
     )  # fmt: skip
-
-
-def _folder_name(name: str) -> str:
-    """The folder of pictures beside a page: a name that links and LaTeX take as it is."""
-    return ODD.sub("-", name)
 
 
 def _name(sheet: Sheet, solutions: bool) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -10,14 +11,11 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.core import ParameterSource
 
-from derive.errors import SheetErrors
+from derive.errors import NotAllWritten, SheetErrors
 from derive.messages import guarded, page, progress, report, say, warn
 
 if TYPE_CHECKING:
-    from derive.build import Audit
-    from derive.render.document import Document
-    from derive.sheet.model import Sheet, Steps
-    from derive.writing import Progress
+    from derive.sheet.model import Steps
 
 STEPS = ("full", "key", "answers")
 FORMATS = ("md", "tex", "pdf", "html", "docx", "json")
@@ -118,6 +116,12 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
 @main.command()
 @SHEETS
 @_build_options
+@click.option(
+    "--jobs",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Build at most N sheets at a time; left out, as many as there are processors.",
+)
 def build(
     sheets: tuple[Path, ...],
     formats: tuple[str, ...],
@@ -130,6 +134,7 @@ def build(
     no_figures: bool,
     templates: Path | None,
     pdf_engine: str,
+    jobs: int | None,
 ) -> None:
     """Build solution sheets (the default command). A directory stands for the sheets in it."""
     target = None if output == "-" else Path(output)
@@ -139,7 +144,8 @@ def build(
         raise click.UsageError("--output - prints one sheet")
     with guarded():
         _build(
-            sheets, formats, target, problems, space, steps, audit, explain, no_figures, templates, pdf_engine
+            sheets, formats, target, problems, space, steps, audit, explain, no_figures, templates,
+            pdf_engine, jobs,
         )  # fmt: skip
 
 
@@ -155,6 +161,7 @@ def _build(
     no_figures: bool,
     templates: Path | None,
     pdf_engine: str,
+    jobs: int | None = 1,
 ) -> None:
     if space and not problems:
         raise click.UsageError("--space leaves room on problem sheets: add --problems")
@@ -162,39 +169,29 @@ def _build(
         raise click.UsageError("--problems leaves out the answers that --audit is about")
     if explain and problems:
         raise click.UsageError("--problems leaves out the answers that --explain is about")
-    from derive.build import build as build_sheets
-    from derive.render.own_templates import dressed
-    from derive.writing import PagesFailed
+    from derive.jobs.run import built
+    from derive.jobs.wanted import Wanted
 
-    _collect_seldom()
+    figures = not no_figures
+    wanted = Wanted(
+        formats, problems, space, steps, figures, templates, pdf_engine, audit=audit, explain=explain
+    )
     try:
-        with dressed(templates), progress() as step:
-            seen: list[Document] = []
-            made = build_sheets(
-                sheets,
-                formats,
-                target,
-                problems,
-                pdf_engine,
-                step,
-                warn,
-                _looked(audit, seen, step),
-                space,
-                figures=not no_figures,
-                steps=steps,
-            )
-    except PagesFailed as failed:
+        with progress() as step:
+            found = built(sheets, wanted, target, jobs or _processors(), step, warn)
+    except NotAllWritten as failed:
         _say_pages(failed.files, target)
         raise
-    for text in made:
-        if isinstance(text, str):
-            page(text)
-    _say_pages(made, target)
-    if explain:
-        from derive.explaining import explained
+    for text in found.texts:
+        page(text)
+    if audit:
+        from derive.auditing import report
 
-        for line in explained(seen):
+        for line in report(found.audited):
             say(line)
+    _say_pages(found.files, target)
+    for line in found.explained:
+        say(line)
 
 
 def _collect_seldom() -> None:
@@ -204,24 +201,15 @@ def _collect_seldom() -> None:
     gc.set_threshold(100_000, 50, 50)
 
 
-def _looked(audit: bool, seen: list[Document], step: Progress) -> Audit:
-    """Who looks at what is built: keeps it to be explained, and audits it where that is asked."""
-
-    def look(sheets: Sequence[Sheet], documents: Sequence[Document]) -> None:
-        seen.extend(documents)
-        if audit:
-            from derive.auditing import audited, report
-
-            for line in report(audited(sheets, documents, step)):
-                say(line)
-
-    return look
+def _processors() -> int:
+    """How many this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _say_pages(files: tuple[Path | str, ...], folder: Path | None) -> None:
+def _say_pages(files: tuple[Path, ...], folder: Path | None) -> None:
     """The pages among the files, and no picture of a page."""
     for file in files:
-        if isinstance(file, Path) and file.parent == folder:
+        if file.parent == folder:
             say(str(file))
 
 

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 LONGEST = 120  # columns of a line that is quoted whole
 
@@ -56,6 +61,25 @@ class SheetErrors(Exception):
         return "\n".join(map(written, self.errors))
 
 
+class InOrder(SheetErrors):
+    """Those of several sheets, one sheet after the other, each once."""
+
+    def __init__(self, errors: Iterable[SheetError]) -> None:
+        each = list({(error.place, error.message): error for error in errors}.values())
+        super().__init__(each)
+        self.errors = tuple(each)
+
+
+class NotAllWritten(InOrder):
+    """The faults of pages that could not be made, and the files that were written all the same."""
+
+    outcome = "the other pages were written"
+
+    def __init__(self, errors: Iterable[SheetError], files: tuple[Path, ...]) -> None:
+        super().__init__(errors)
+        self.files = files
+
+
 def written(error: SheetError) -> str:
     """A fault as plain text: place and message, the line, a caret, what to write instead."""
     place = error.place
@@ -93,6 +117,17 @@ def _column(text: str, column: int) -> int:
     before = text[: column - 1]
     wide = sum(east_asian_width(char) in "WF" for char in before)
     return column - 1 + wide - sum(combining(char) > 0 for char in before)
+
+
+@contextmanager
+def met_at(place: Place | None) -> Iterator[None]:
+    """An accident of ours within, which is told with this place unless it knows a closer one."""
+    try:
+        yield
+    except Exception as error:
+        if place and not hasattr(error, "__notes__"):
+            error.add_note(f"{place}: ")
+        raise
 
 
 class FormulaError(ValueError):

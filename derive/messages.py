@@ -43,7 +43,7 @@ def guarded() -> Iterator[None]:
     except Exception as error:
         if os.environ.get("DERIVE_DEBUG"):
             raise
-        if (behind := _behind(error)) is not None:
+        if (behind := disk_behind(error)) is not None:
             _refused(behind)
         click.echo(apology(error), err=True)
         sys.exit(1)
@@ -65,7 +65,7 @@ def _refused(error: OSError) -> NoReturn:
     sys.exit(1)
 
 
-def _behind(error: BaseException | None) -> OSError | None:
+def disk_behind(error: BaseException | None) -> OSError | None:
     """A full disk behind an accident: who was writing may stumble over it while clearing up."""
     while error is not None:
         if isinstance(error, OSError) and error.errno in FULL:

@@ -7,22 +7,56 @@ next build can tell the leftovers of a dead one. Where there are no such locks (
 from __future__ import annotations
 
 import os
+import re
 import signal
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from errno import EISDIR
 from pathlib import Path
 from shutil import rmtree
 from tempfile import mkdtemp
 
+from derive.errors import SheetError
+
 PREFIX = ".derive-"
 POSIX = sys.platform != "win32"
+ODD = re.compile(r"[^\w.-]+")
+NAMESAKES = "rename one, or build them into different folders with --output"
+
+
+def folder_name(name: str) -> str:
+    """The folder of pictures beside a page: a name that links and LaTeX take as it is."""
+    return ODD.sub("-", name)
+
+
+def namesakes(paths: Sequence[Path]) -> list[SheetError]:
+    """Sheets whose pages would take each other's place."""
+    first: dict[str, Path] = {}
+    return [
+        SheetError(f"{path}: its pages would have the names of those of {other}", None, NAMESAKES)
+        for path in paths
+        if (other := first.setdefault(folder_name(path.stem), path)) != path
+    ]
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """What was made of one sheet, in a folder aside: its pages, the files beside them, and the pages that
+    could not be made, with the reasons."""
+
+    pages: tuple[Path, ...] = ()
+    beside: tuple[Path, ...] = ()
+    failed: tuple[Path, ...] = ()
+    faults: tuple[SheetError, ...] = ()
 
 
 @contextmanager
 def aside(output: Path) -> Iterator[Path]:
-    """A folder in `output` for the files of one build, gone when it ends. Leftovers of dead builds go too."""
+    """A folder in `output` for the files of one build, gone when it ends. Leftovers of dead builds go
+    too, and so do the folders that were made for it and stay empty."""
+    new = [folder for folder in (output, *output.parents) if not folder.exists()]
     output.mkdir(parents=True, exist_ok=True)
     with _held(output):
         _sweep(output)
@@ -33,6 +67,18 @@ def aside(output: Path) -> Iterator[Path]:
     finally:
         rmtree(folder, ignore_errors=True)
         _release(lock)
+        with suppress(OSError):  # something stands in it
+            for empty in new:
+                empty.rmdir()
+
+
+def put_all(made: Sequence[Made], folder: Path, output: Path) -> tuple[Path, ...]:
+    """Puts what was made in its place, and removes older pages that failed. Raises OSError."""
+    files = [
+        *(path for each in made for path in each.beside),
+        *(path for each in made for path in each.pages),
+    ]
+    return put(files, folder, output, [page for each in made for page in each.failed])
 
 
 def put(files: Sequence[Path], folder: Path, output: Path, gone: Sequence[Path] = ()) -> tuple[Path, ...]:

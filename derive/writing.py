@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from shutil import copyfile, rmtree
 
-from derive.errors import Place, SheetError, SheetErrors
-from derive.placing import aside, put
+from derive.errors import NotAllWritten, Place, SheetError, SheetErrors
+from derive.placing import Made, aside, put_all
 from derive.render.document import Document
 from derive.render.drawing.paper import Kind
 from derive.render.failures import NoGlyphs, PageFailed
@@ -38,16 +38,6 @@ def render(document: Document, kind: str) -> str:
     return render_markdown(document, read=read_back)
 
 
-class PagesFailed(SheetErrors):
-    """The faults of pages that could not be made, and the files that were written all the same."""
-
-    outcome = "the other pages were written"
-
-    def __init__(self, errors: Iterable[SheetError], files: tuple[Path, ...]) -> None:
-        super().__init__(errors)
-        self.files = files
-
-
 def write(
     sheets: Sequence[Sheet],
     documents: Sequence[Document],
@@ -58,36 +48,44 @@ def write(
 ) -> tuple[Path, ...]:
     """Writes pages and pictures: all are made aside, then put in their place at once.
 
-    Raises PagesFailed where a page cannot be made: an older one of its name is removed, the others are
+    Raises NotAllWritten where a page cannot be made: an older one of its name is removed, the others are
     written. Raises SheetErrors, with nothing written, where none can.
     """
-    faults: list[SheetError] = []
     with aside(output) as folder:
-        pages, failed = [], []
+        made = []
         for sheet, document in zip(sheets, documents, strict=True):
             progress(f"writing {sheet.path.stem}")
-            if set(formats) - {"json"}:
-                _place(sheet, document, folder, _picture_kinds(formats, pdf_engine))
-            for kind in formats:
-                page = folder / f"{document.name}.{kind}"
-                try:
-                    _make(document, kind, page, pdf_engine)
-                    pages.append(page)
-                except PageFailed as error:
-                    failed.append(page)
-                    faults += _failed(error, page.name, sheet)
-            shown = {page.suffix for page in pages if page.stem == document.name}
-            if not shown - {".json"}:
-                rmtree(folder / document.figures, ignore_errors=True)  # no page shows them
-            elif not shown & BESIDE:
-                _clear(document, folder)
-        if not pages:
+            made.append(make(sheet, document, formats, folder, pdf_engine))
+        faults = [fault for each in made for fault in each.faults]
+        if not any(each.pages for each in made):
             raise SheetErrors(faults)
-        made = {path for path in folder.glob("*/**/*") if path.is_file()}
-        files = put((*sorted(made), *pages), folder, output, failed)
+        files = put_all(made, folder, output)
     if faults:
-        raise PagesFailed(faults, files)
+        raise NotAllWritten(faults, files)
     return files
+
+
+def make(sheet: Sheet, document: Document, formats: Sequence[str], folder: Path, pdf_engine: str) -> Made:
+    """The pages of one sheet and the pictures beside them, in a folder aside. Raises SheetErrors where a page
+    says something else than was derived."""
+    if set(formats) - {"json"}:
+        _place(sheet, document, folder, _picture_kinds(formats, pdf_engine))
+    pages, failed, faults = [], [], list[SheetError]()
+    for kind in formats:
+        page = folder / f"{document.name}.{kind}"
+        try:
+            _make(document, kind, page, pdf_engine)
+            pages.append(page)
+        except PageFailed as error:
+            failed.append(page)
+            faults += _failed(error, page.name, sheet)
+    shown = {page.suffix for page in pages}
+    if not shown - {".json"}:
+        rmtree(folder / document.figures, ignore_errors=True)  # no page shows them
+    elif not shown & BESIDE:
+        _clear(document, folder)
+    beside = sorted(path for path in (folder / document.figures).rglob("*") if path.is_file())
+    return Made(tuple(pages), tuple(beside), tuple(failed), tuple(faults))
 
 
 def _failed(error: PageFailed, page: str, sheet: Sheet) -> list[SheetError]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from derive.errors import met_at
 from derive.render import html_skin
 from derive.render.author_text import latex_prose, markdown_prose
 from derive.render.conventions import conventions
@@ -83,7 +84,8 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
         if problem.number not in figures:
             figures[problem.number] = subject_figure(document, problem, skin, so_far, printed)
         so_far.problem = problem.number
-        answer = _answer(document, problem, question, skin, printed, so_far)
+        with met_at(question.place):
+            answer = _answer(document, problem, question, skin, printed, so_far)
         if answer:
             spoken = spoken.and_by(problem, printed)
         answers[problem.number, question.number] = answer
