@@ -14,8 +14,12 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import fsolve
 
 from derive.audit.text import sympy_of_text
+from derive.build import derive_all
+from derive.derivation import Phrase
 from derive.errors import SheetErrors
-from tests.sheets import pages
+from derive.kinds.robot._carried import integrated
+from derive.sheet.load import load_sheet
+from tests.sheets import ROOT, pages
 
 T = sympy.Symbol("t")
 SHEET = """
@@ -171,3 +175,22 @@ def test_what_no_joints_follow_is_refused(path: str, more: str, said: str, tmp_p
     with pytest.raises(SheetErrors) as caught:
         question(TWO, path, more, tmp_path)
     assert any(said in error.message + error.hint for error in caught.value.errors), caught.value.errors
+
+
+def test_a_short_motion_is_told_over_time(tmp_path: Path) -> None:
+    """The rates of a polar arm past an edge, as functions of the time."""
+    sheet = tmp_path / "sheet.yaml"
+    sheet.write_text(
+        "title: A test\nsymbols: {d: positive, u: positive}\nproblems:\n- robot:\n    links:\n"
+        "    - {theta: theta1*, d: 0, a: 0, alpha: 90 deg}\n    - {theta: 0, d: q2*, a: 0, alpha: 0}\n"
+        "  find: joint-motion\n  path: {function: [d, u*t], parameter: t}\n", encoding="utf-8",
+    )  # fmt: skip
+    page = next(each for each in pages(sheet, tmp_path, "md") if each.suffix == ".md").read_text("utf-8")
+    assert r"\dot\theta_1 = \frac{d u}{d^2 + u^2 t^2}" in page
+
+
+def test_an_arm_that_is_said_to_come_back_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With the least rates a redundant arm drifts on a closed path; the opposite is refused."""
+    monkeypatch.setattr(integrated, "returns", lambda *_: Phrase("comes-back"))
+    with pytest.raises(SheetErrors):
+        derive_all([load_sheet(ROOT / "exercises" / "joint-motion.yaml")], True, lambda _: None)

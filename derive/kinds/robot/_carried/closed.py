@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from math import remainder, tau
 from typing import Any
 
@@ -16,6 +17,7 @@ from derive.kinds.path._timing import T
 from derive.kinds.robot._carried.checks import carries, rows_follow
 from derive.kinds.robot._carried.facts import Facts
 from derive.kinds.robot._carried.followed import MANY, Followed, entries, followed
+from derive.kinds.robot._carried.in_time import in_time, lines
 from derive.kinds.robot._carried.limits import holds, leaves, ranges_of, said_of_ranges
 from derive.kinds.robot._carried.rates import SINGULAR
 from derive.kinds.robot._carried.sampled import Sampled, moments, rows_of
@@ -56,9 +58,13 @@ def in_closed_form(given: Setting) -> Derivation:
         zip(map(Symbol, where.names), entries(board.matrix(given.moving.names[0])), strict=True)
     )
     work = replace(board, aside={**board.aside, **coordinates}).resting_on(inverse, changes)
-    work = work.showing(*steps).linked(but=[step.name for step in steps])
-    told = replace(branch, q={**branch.q, **{_name(step): step.result for step in steps}})
     closed = branch.closed()
+    simple = None if given.driven is not None else in_time(given.both, branch.variables, closed)
+    over_time = lines(branch.variables, simple) if simple else ()
+    shown = (*steps, *chain(*over_time))
+    work = work.showing(*shown).linked(but=[step.name for step in shown])
+    told = replace(branch, q={**branch.q, **{_name(step): step.result for step in steps}})
+    closed = simple or closed
     work = work.claim(route("followed", _holds(given, told, closed)))
     table = None if found is None else found.table(rows_of(found.times))
     if found is not None and table is not None and given.driven is not None:
@@ -71,6 +77,7 @@ def in_closed_form(given: Setting) -> Derivation:
     facts = Facts(
         way=given.moving.way, place=given.moving.names[0], coordinates=tuple(map(Symbol, where.names)),
         chosen=_chosen(given, branches), when=branch.branch.when, joints=tuple(step.name for step in steps),
+        in_time=tuple(tuple(step.name for step in each) for each in over_time),
         table=table, drawn=found is not None, ranges=said,
     )  # fmt: skip
     units: dict[Expr | Phrase, str] = {

@@ -13,6 +13,7 @@ class Integrated(Record):
     start: Phrase
     least: Phrase | None  # where more joints move than are needed
     step: Expr
+    closing: Phrase | None = None  # of a closed path, whether the joints come back too
 
 
 class Facts(PageFacts):
@@ -24,6 +25,7 @@ class Facts(PageFacts):
     chosen: Phrase | None = None
     when: tuple[Condition, ...] = ()
     joints: tuple[str, ...] = ()  # steps
+    in_time: tuple[tuple[str, ...], ...] = ()  # steps of joint variables, rates and accelerations
     integrated: Integrated | None = None
     table: Table | None = None
     drawn: bool = False

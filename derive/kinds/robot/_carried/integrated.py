@@ -16,6 +16,7 @@ from derive.kinds.robot._carried.checks import on_path, rows_follow
 from derive.kinds.robot._carried.facts import Facts, Integrated
 from derive.kinds.robot._carried.limits import holds, ranges_of, said_of_ranges
 from derive.kinds.robot._carried.rates import SUBSTEPS, Rates
+from derive.kinds.robot._carried.returning import is_so, returns
 from derive.kinds.robot._carried.sampled import Sampled, cleared, rows_of
 from derive.kinds.robot._carried.setting import Setting
 from derive.kinds.robot._chain import oracle_of
@@ -67,6 +68,9 @@ def by_rates(given: Setting) -> Derivation:
     said = said_of_ranges(found, ranges)
     if said is not None:
         work = work.claim(route("ranges-said", holds(said, found, ranges, _between(found))))
+    closing = returns(found, given.driven)
+    if closing is not None:
+        work = work.claim(route("closing", is_so(closing, table, given.driven, problem.subject)))
     step = float(found.times[1] - found.times[0]) / SUBSTEPS
     redundant = len(where.rows) < len(typed)
     facts = Facts(
@@ -76,6 +80,7 @@ def by_rates(given: Setting) -> Derivation:
             start=Phrase("near-the-start" if moved else "from-the-start"),
             least=Phrase("least-of-all") if redundant else None,
             step=Measured(Approximate(step), "s"),
+            closing=closing,
         ),
         table=table,
         drawn=True,
