@@ -48,6 +48,7 @@ from derive.mechanics.oracle.poses import turn
 from derive.names import free
 
 SUBJECTS = ("motion", "frames", "robot", "rotation")
+OF_EULER = frozenset({"euler-angles", "euler-rates"})
 CLAIMS = ("as-told",)
 CLAIMED = {"solutions": "turns-again"}
 LONGEST_ANGLE = 8  # operations above which the angle of symbols is left in what it is made of
@@ -80,8 +81,10 @@ class _Names:
     @staticmethod
     def of(problem: Problem) -> _Names:
         axis = free(problem.taken, "k", "u", "n", "k_r")
+        turned = any(kind in OF_EULER for kind, _ in problem.questions)  # whose angles are phi, theta, psi
+        angles = ("alpha", "beta") if turned else ("theta", "phi", "alpha")
         return _Names(
-            Symbol(free(problem.taken, "theta", "phi", "alpha", "theta_k")),
+            Symbol(free(problem.taken, *angles, "theta_k")),
             Symbol(axis),
             Symbol(free({*problem.taken, axis}, "w", "v", "u", "w_r")),
         )

@@ -47,7 +47,10 @@ def contents(plot: Plot, frame: Frame) -> Sketch:
     names = [*marks(plot, frame), *arrows(sketch, lines, plot, frame), *spans(sketch, lines, plot, frame)]
     texts = said([name for name, _ in names])
     wanted = [Wanted(text, tuple(spots)) for text, (_, spots) in zip(texts, names, strict=True)]
-    for text, box in zip(texts, placed(wanted, lines)[0], strict=True):
+    boxes, leaders = placed(wanted, lines)
+    for leader in leaders:
+        sketch.line(leader, LINES["leader"])
+    for text, box in zip(texts, boxes, strict=True):
         sketch.text(text, box.left, box.low)
     return sketch
 
