@@ -8,9 +8,9 @@ from typing import Any, TypeAlias
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Caption, Place, Stroke
-from derive.expression import ZERO, Expr
+from derive.expression import ZERO, Expr, add
 from derive.figures import solids
-from derive.figures.arm import Posed, direction
+from derive.figures.arm import Posed, direction, length_between
 from derive.figures.arm_bodies import DOT, bodies_of, column, com_place, sizes_of
 from derive.figures.view import Vector, View, across, along, around, dot, length
 from derive.mechanics.bodies import Box, Cylinder, PointMass, Rod, Sphere, coordinates
@@ -18,6 +18,7 @@ from derive.mechanics.robot import Robot
 
 TOWARDS = 0.9  # rad: where on its rim the radius of a ball is drawn
 ASIDE = 1.1  # sizes of a joint: how far beside a rod its length is drawn
+NEAR = 1e-9  # of places that are one
 SEEN = 0.3  # of a direction: a side that is seen shorter has no name
 Marked: TypeAlias = tuple[list[Stroke], list[Caption]]
 
@@ -35,7 +36,7 @@ def body_names(robot: Robot, view: View, posed: Posed, size: float) -> Iterator[
                 mass = Caption(place, body.mass, (0.3, -1.0), "joint", clear=far)
                 yield [Stroke((place, end), "thin")], [Caption(end, radius, _way(place, end), "length"), mass]
             case PointMass():
-                yield [], [Caption(place, body.mass, (0.3, -1.0), "joint", clear=DOT * size)]
+                yield [], [Caption(place, _mass_at(robot, at, posed), (0.3, -1.0), "joint", clear=DOT * size)]
             case Rod(long, axis):
                 way = direction(T, axis, point)
                 if long not in told:
@@ -52,6 +53,16 @@ def body_names(robot: Robot, view: View, posed: Posed, size: float) -> Iterator[
                 yield [spoke], [Caption(end, radius, (1.0, 0.2), "length")]
             case Box(sides):
                 yield [], [*_sides(view, at, T, sides, sizes_of(posed, *sides), told)]
+
+
+def _mass_at(robot: Robot, at: Vector, posed: Posed) -> Expr:
+    """That of all bodies whose center is at a place: one label stands there."""
+    bodies = (
+        (link.body, com_place(link.body, posed, k)) for k, link in enumerate(robot.links, 1) if link.body
+    )
+    return add(
+        *(body.mass for body, place in bodies if body.mass != ZERO and length_between(at, place) < NEAR)
+    )
 
 
 def _sides(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
+from itertools import pairwise, product
 from math import dist, radians
 
 from derive.derivation import Place
@@ -14,6 +14,8 @@ from derive.figures.view import View, dot, in_space, onto_plane, unit
 from derive.mechanics.robot import Robot
 
 GOOD = 0.95  # clear enough for no other pose to be tried
+STRIDES, MOST_SLIDES = (0.8, 0.5, 1.3), 3  # usual lengths
+JAWS = 0.8  # of the last link: what is drawn beyond it
 BENT = 0.08  # what a bent joint counts against a pose
 PLANAR = (38, 42, -55, 40, -45, 35)  # degrees, joint after joint of an arm in a plane
 
@@ -48,14 +50,25 @@ def in_pose(
     turning = [
         k for k, link in enumerate(moving) if link.joint != "prismatic" and link.variable not in wanted
     ]
-    best, most = first, float("-inf")
+    best, most, angles = first, float("-inf"), [0.0] * count
     for bent in _bent(turning):
         if most >= GOOD - BENT * len(bent):
             break
-        tried = at([bent.get(k, 0.0) for k in range(count)], out)
+        turned = [bent.get(k, 0.0) for k in range(count)]
+        tried = at(turned, out)
         if (value := clarity(tried, view) - BENT * len(bent)) > most:
-            best, most = tried, value
+            best, most, angles = tried, value, turned
+    sliding = [k for k, link in enumerate(moving) if link.joint == "prismatic"]
+    if crossings(best, view) and sliding:  # rods that cross are none where some are longer than others
+        others = [at(angles, [by.get(k, 1.0) for k in range(count)]) for by in _drawn_out(sliding)]
+        best = max((best, *others), key=lambda each: clarity(each, view) - crossings(each, view, JAWS))
     return view, best
+
+
+def _drawn_out(sliding: Sequence[int]) -> Iterator[Mapping[int, float]]:
+    """How far joints slide, in usual lengths."""
+    for far in product(STRIDES, repeat=min(len(sliding), MOST_SLIDES)):
+        yield dict(zip(sliding, far, strict=False))
 
 
 def _bent(turning: Sequence[int]) -> Iterator[Mapping[int, float]]:
@@ -98,9 +111,19 @@ def clarity(shown: Posed, view: View) -> float:
     spread = max((dist(a, b) for a in flat for b in flat), default=0.0) or 1.0
     gap = min((dist(a, b) / spread for k, a in enumerate(flat) for b in flat[:k]), default=1.0)
     low = min((p[2] for p in distinct), default=0.0) / spread
-    met = sum(_meet(a, b) for k, a in enumerate(lines) for b in lines[: max(0, k - 1)])
+    met = crossings(shown, view)
     back = sum(folded(a, b) for a, b in pairwise(lines))
     return min(1.0, seen / 0.5) - max(0.0, 0.12 - gap) * 4 + min(0.0, low) - 0.6 * met - 0.8 * back
+
+
+def crossings(shown: Posed, view: View, beyond: float = 0.0) -> int:
+    """How many links that do not follow one another are seen across each other, the last one longer by a part
+    of it."""
+    lines = [(view.place(part.start), view.place(part.end)) for part in shown.parts]
+    if lines:
+        (x, y), (u, v) = lines[-1]
+        lines[-1] = (x, y), (u + beyond * (u - x), v + beyond * (v - y))
+    return sum(_meet(a, b) for k, a in enumerate(lines) for b in lines[: max(0, k - 1)])
 
 
 def _meet(a: tuple[Place, Place], b: tuple[Place, Place]) -> bool:

@@ -26,6 +26,7 @@ from derive.expression import (
     PI,
     ZERO,
     Approximate,
+    Call,
     Degrees,
     Derivative,
     Expr,
@@ -33,6 +34,7 @@ from derive.expression import (
     Matrix,
     Measured,
     Number,
+    Power,
     Product,
     Quotient,
     Relation,
@@ -108,17 +110,17 @@ class Values:
         if isinstance(tree, Matrix):
             entries = self._entries(tree)
             return ((_measured(entries, unit, angle),), ())
-        if unit and unit.startswith("rad") and PI in walk(tree) and not angle:
+        if unit and unit.startswith("rad") and PI in walk(tree) and not angle and not _has_root(tree):
             return ((_measured(tree, unit, angle),), ())
         if angle and not isinstance(tree, Degrees) and not _is_simple(tree):
             return ((), (_measured(self._degrees(tree), unit, True),))
         fraction = rational(tree) if self._decimal() and not isinstance(tree, Number) else None
         if fraction is not None:
-            return ((_exact(tree, unit), _measured(self._number(Number(fraction)), unit, angle)), ())
+            return ((_exact(tree, unit, angle), _measured(self._number(Number(fraction)), unit, angle)), ())
         said = self._number(tree) if self._decimal() else tree
         if unit is None or _is_simple(said) or isinstance(said, Number | Degrees | Approximate):
             return ((_measured(said, unit, angle),), ())
-        return ((_exact(said, unit),), (_measured(self._decimals(said), unit, angle),))
+        return ((_exact(said, unit, angle),), (_measured(self._decimals(said), unit, angle),))
 
     # -- numbers ----------------------------------------------------------------------------------
 
@@ -294,15 +296,21 @@ def _measured(tree: Expr, unit: str | None, angle: bool) -> Expr:
     return in_unit(tree, (unit or "").removeprefix("deg").removeprefix("rad" if angle else ""))
 
 
-def _exact(tree: Expr, unit: str | None) -> Expr:
+def _exact(tree: Expr, unit: str | None, angle: bool) -> Expr:
     """What a decimal follows, with its unit: none where its numbers have theirs, or it is an angle."""
     own = any(isinstance(node, Measured | Degrees) for node in walk(tree))
-    return tree if own or not unit or unit.startswith(("deg", "rad")) else in_unit(tree, unit)
+    turned = unit is not None and (unit == "rad" or unit.startswith("deg") or angle)
+    return tree if own or not unit or turned else in_unit(tree, unit)
 
 
 def _turns(tree: Expr, unit: str) -> bool:
     """Whether it is said in degrees: it is written so, or is to be."""
     return unit.startswith("deg") or any(isinstance(node, Degrees) for node in walk(tree))
+
+
+def _has_root(tree: Expr) -> bool:
+    """Whether nobody sees at once how large it is."""
+    return any(isinstance(node, Call | Power) for node in walk(tree))
 
 
 def _is_simple(tree: Expr) -> bool:

@@ -7,10 +7,11 @@ from math import hypot
 
 from derive.algebra.numbers.floats import number, scalar_number
 from derive.derivation import Figure, Label, Panels, Phrase, Plot, Result
-from derive.expression import Expr, Matrix, symbols
+from derive.expression import Call, Expr, Matrix, Symbol, symbols
 from derive.figures.axes import IN_TIME, axis, short
 from derive.kinds.bare_units import bare_units
 from derive.kinds.path._frenet import Bent
+from derive.kinds.path._naming import place_name
 from derive.kinds.path._timing import T
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -69,23 +70,23 @@ def _motion(work: Work, results: Mapping[str, Result]) -> Panels:
     time = results["time"]
     if not isinstance(time, Expr):
         raise TypeError("a time is a formula")
-    return over_time(
-        (results["p"], results["v"], results["a"]), 0.0, number(time, {}), unit_of_places(work.problem)
-    )
+    return over_time((results["p"], results["v"], results["a"]), 0.0, number(time, {}), work.problem)
 
 
-def over_time(place_and_rates: Sequence[Result], begin: float, whole: float, unit: str) -> Panels:
+def over_time(place_and_rates: Sequence[Result], begin: float, whole: float, problem: Problem) -> Panels:
     """Coordinates of the place, sizes of velocity and acceleration."""
+    unit, p = unit_of_places(problem), place_name(problem)
     curves = [_places(each, T.name, begin, whole) for each in place_and_rates]
     at, places = curves[0]
     of_place: dict[Label, tuple[tuple[float, ...], tuple[float, ...]]] = {
         name: (tuple(at), tuple(values)) for name, values in zip(AXES, places, strict=False)
     }
+    speed_name, strong_name = (Call("abs", (Symbol(f"{p.name}_{dots}"),)) for dots in ("dot", "ddot"))
     speed, strong = (tuple(map(_size, zip(*values, strict=True))) for _, values in curves[1:])
     plots = (
         Plot("place", IN_TIME, axis(Phrase("place"), unit), of_place),
-        Plot("speed", IN_TIME, axis(Phrase("speed"), unit and f"{unit}/s"), {"": (tuple(at), speed)}),
-        Plot("size", IN_TIME, axis(Phrase("acceleration"), unit and f"{unit}/s²"), {"": (tuple(at), strong)}),
+        Plot("speed", IN_TIME, axis(speed_name, unit and f"{unit}/s"), {"": (tuple(at), speed)}),
+        Plot("size", IN_TIME, axis(strong_name, unit and f"{unit}/s²"), {"": (tuple(at), strong)}),
     )
     told = {"time": short(whole), "speed": short(max(speed)), "strong": short(max(strong))}
     return Panels("motion", plots, caption=Phrase("drawn-motion"), alt=Phrase("seen-motion", {**told}))

@@ -137,7 +137,7 @@ class Splined:
         unit = unit_of_places(self.work.problem)
         if isinstance(p, Matrix) and len(p.rows) == 2:
             yield curve_in_the_plane(p, T.name, ends[0], ends[-1], unit, ends[1:-1])
-        yield over_time((p, v, a), ends[0], ends[-1], unit)
+        yield over_time((p, v, a), ends[0], ends[-1], self.work.problem)
 
 
 def splined(problem: Problem, bent: bool) -> Splined:
