@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 ORDINALS = {1: "first", 2: "second", 3: "third", 4: "fourth", 5: "fifth", 6: "sixth", 7: "seventh"}
 PLACES, AXES = ("pose", "orientation"), ("x", "y", "z")  # of an end-effector
 ELEMENTS = frozenset(f"r{i}{j}" for i in range(1, 4) for j in range(1, 4))
+AT_A_POSE = ("evaluate-there", "evaluate-place")  # told by its matrix
 Said = Callable[[Any, Any], Datum | None]  # of the value of an option, and of all options
 
 
@@ -59,8 +60,8 @@ def _pose(at: Mapping[str, Expr]) -> Datum:
     told = ELEMENTS | {*AXES} if whole else ELEMENTS
     others = tuple(valued(name, value) for name, value in at.items() if name not in told)
     if others:
-        return Datum(Phrase("evaluate-there", {"values": others, "place": place}), equations=((matrix,),))
-    return Datum(Phrase("evaluate-place", {"place": place}), equations=((matrix,),))
+        return Datum(Phrase(AT_A_POSE[0], {"values": others, "place": place}), equations=((matrix,),))
+    return Datum(Phrase(AT_A_POSE[1], {"place": place}), equations=((matrix,),))
 
 
 def _point(point: PointOn | tuple[Expr, ...], _: Any) -> Datum:

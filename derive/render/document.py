@@ -10,6 +10,7 @@ from typing import Literal
 from derive.derivation import Claim, Derivation, Drawing, Figure
 from derive.errors import Place
 from derive.expression import Expr
+from derive.given.asked import AT_A_POSE
 from derive.given.datum import Datum
 from derive.render.notation import Notation
 from derive.render.printed import Printed
@@ -72,6 +73,11 @@ class QuestionPage:
     def lines(self) -> int:
         """How many lines of room an answer is given: more for more marks."""
         return LINES if self.marks is None else min(MOST_LINES, FEWEST_LINES + LINES_A_MARK * self.marks)
+
+    @property
+    def gives_pose(self) -> bool:
+        """Whether it tells the pose at which numbers are wanted, and all that goes with it."""
+        return any(datum.said.key in AT_A_POSE for datum in self.given)
 
     def verified(self) -> Iterator[Claim]:
         """What was verified of the answer and of what it rests on and is printed with it."""

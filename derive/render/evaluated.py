@@ -53,9 +53,10 @@ IMAGINARY = Symbol("j")
 
 def evaluated_words(
     derivation: Derivation, folder: str, at: Mapping[str, Expr], skin: Skin, notation: Notation,
-    printed: list[Printed] | None = None,
+    printed: list[Printed] | None = None, given: bool = False,
 ) -> str:  # fmt: skip
-    """The sentence "At theta1 = 30 deg:" and the numbers; "" where nothing was evaluated.
+    """The sentence "At theta1 = 30 deg:" and the numbers; "" where nothing was evaluated. A pose that the
+    question has `given` is not told again.
 
     What is printed, and by which name, the facts of the derivation say; see `PageFacts`. It is added to
     `printed` with its trees.
@@ -80,12 +81,14 @@ def evaluated_words(
     }
     working = _working(derivation)
     tabled = bool(facts.labels) and any(each.get("real", True) for each in found["solutions"])
-    pose = telling.pose(facts.at_pose, at)
+    given = given and facts.at_pose is not None
+    pose = "" if given else telling.pose(facts.at_pose, at)
     told = free_symbols(facts.at_pose[1]) if facts.at_pose and pose else frozenset()
     context = {
+        "given": given,
         "pose": pose,
         "unit": ", ".join({unit_typed(value) for name, value in at.items() if name in told} - {""}),
-        "point": [telling.given(name, value) for name, value in at.items() if name not in told],
+        "point": [telling.given(name, value) for name, value in at.items() if not given and name not in told],
         "display": telling.display(chains) if chains else "",
         "branches": [
             telling.branch(branch, working, facts.page_names)

@@ -137,7 +137,13 @@ def _answer(
     if question.derivation and document.solutions:
         told.append(
             evaluated_words(
-                question.derivation, question.folder, question.at, skin, problem.notation, printed
+                question.derivation,
+                question.folder,
+                question.at,
+                skin,
+                problem.notation,
+                printed,
+                question.gives_pose,
             )
         )
     return spelt("\n\n".join(filter(None, told)), skin.formulas, printed)

@@ -103,6 +103,16 @@ class SolvedFacts(Record):
     choices: tuple[Step, ...]
     left: tuple[Step, ...]
 
+    def is_like(self, other: SolvedFacts) -> bool:
+        """Whether both are told by equations and choices alone, in which the same factor cancels."""
+        factor = self.method.factor
+        return factor is not None and factor == other.method.factor and self._is_short and other._is_short
+
+    @property
+    def _is_short(self) -> bool:
+        others = (self.names, self.squares, self.aside, self.solved, self.left)
+        return self.method.name == "direction" and bool(self.equations) and not any(others)
+
 
 class SingularWrist(Record):
     """The middle angle at which the outer axes of a wrist coincide, and what is determined there."""
@@ -125,7 +135,7 @@ class Wrist(Record):
     named: Phrase
     stands: bool  # whether what it makes was displayed with the pose of the end-effector
     made: Step
-    solved: tuple[SolvedFacts, ...]
+    solved: tuple[tuple[SolvedFacts, ...], ...]
     singular: tuple[SingularWrist, ...]
 
 

@@ -13,7 +13,7 @@ from derive.kinds.robot._inverse.evaluated import Evaluated
 from derive.kinds.robot._inverse.facts import ByAngle, Facts, SolvedFacts, Wrist
 from derive.kinds.robot._inverse.postures import explained
 from derive.kinds.robot._inverse.subproblem import Solved
-from derive.kinds.robot._inverse.worked import Worked
+from derive.kinds.robot._inverse.worked import Orientation, Worked
 from derive.mechanics.inverse.goal import AXES
 
 ELEMENTS = 9  # of a rotation matrix
@@ -23,6 +23,7 @@ OF_A_SHOULDER = {
     "axes-meet": "shoulder-axes-meet",
     "axes-meet-at-the-end": "shoulder-axes-meet-at-the-end",
     "in-angles-of-the-wrist": "shoulder-in-angles-of-the-wrist",
+    "last-in-angles-of-the-wrist": "shoulder-last-in-angles-of-the-wrist",
     "rest-to-make": "shoulder-rest-to-make",
 }
 
@@ -88,14 +89,18 @@ class Told:
             wanted=worked.orientation.wanted,
             elements=worked.elements,
             whole=len(worked.elements) == ELEMENTS,
-            named=Phrase(self._of("in-angles-of-the-wrist"))
-            if worked.arm
-            else Phrase("in-joint-angles", {"pose": Symbol(f"T_{worked.last}^0")}),
+            named=self._named(worked.orientation),
             stands=not worked.arm,
             made=worked.orientation.made,
-            solved=tuple(map(self._in_wrist, worked.hand)),
+            solved=tuple(tuple(map(self._in_wrist, together)) for together in worked.hand),
             singular=worked.singular,
         )
+
+    def _named(self, turned: Orientation) -> Phrase:
+        """In which angles a rotation is written that stands behind the wanted one, or else alone."""
+        if not self.worked.arm:
+            return Phrase("in-joint-angles", {"pose": Symbol(f"T_{self.worked.last}^0")})
+        return Phrase(self._of(f"{'last-' if turned.wanted else ''}in-angles-of-the-wrist"))
 
     def _by_angle(self) -> ByAngle | None:
         found = self.worked.by_angle

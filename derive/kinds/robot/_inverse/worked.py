@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -82,15 +82,19 @@ class Worked:
         """The sub-problems of a shoulder that is turned by the arm angle."""
         return [each for each in self.solved if each.stage == "shoulder"]
 
-    @property
-    def hand(self) -> list[Solved]:
-        """The sub-problems of a spherical wrist."""
-        return [each for each in self.solved if each.stage == "hand"]
+    @cached_property
+    def hand(self) -> tuple[tuple[Solved, ...], ...]:
+        """The sub-problems of a spherical wrist, two together where they are solved alike."""
+        each = [each for each in self.solved if each.stage == "hand"]
+        if self.singular and len(each) > 1 and each[-2].facts.is_like(each[-1].facts):
+            return (*((one,) for one in each[:-2]), (each[-2], each[-1]))
+        return tuple((one,) for one in each)
 
     @cached_property
     def singular(self) -> tuple[SingularWrist, ...]:
         """What the wrist determines where its outer axes coincide."""
-        first, decoupling, found = next(iter(self.hand), None), self.plan.decoupling, self.orientation
+        first = next((each for each in self.solved if each.stage == "hand"), None)
+        decoupling, found = self.plan.decoupling, self.orientation
         if first is None or decoupling is None or found is None:
             return ()
         method, joints = first.facts.method.name, decoupling.joints
@@ -101,9 +105,8 @@ class Worked:
     @cached_property
     def steps(self) -> tuple[Step, ...]:
         """In the order of the page."""
-        arm, swung, hand = (
-            [step for each in solved for step in each.steps] for solved in (self.arm, self.swung, self.hand)
-        )
+        arm, swung = ([step for each in solved for step in each.steps] for solved in (self.arm, self.swung))
+        hand = [step for together in self.hand for step in _steps(together)]
         singular_steps = (case.step for case in self.singular)
         turned: tuple[Step, ...] = ()
         if found := self.by_angle:
@@ -114,7 +117,7 @@ class Worked:
     def turn(self) -> tuple[Step, ...]:
         """What a wrist has to make, and what it makes."""
         turned = self.orientation
-        return (*turned.wanted, *self.elements, turned.made) if turned else ()
+        return (*turned.wanted, turned.made, *self.elements) if turned else ()
 
     @cached_property
     def varying(self) -> tuple[int, ...]:
@@ -187,6 +190,15 @@ class Worked:
         """The steps that hold in some configurations only, or are told beside the others; each of the rest
         holds with the forward kinematics put in for what is given."""
         return [step.name for step in self.steps if step.rule not in PROVED]
+
+
+def _steps(together: Sequence[Solved]) -> Iterator[Step]:
+    """In the order of the page: of two that are solved alike the equations first."""
+    if len(together) == 1:
+        yield from together[0].steps
+        return
+    yield from (step for each in together for step in each.facts.equations)
+    yield from (step for each in together for step in each.facts.choices)
 
 
 def _names(solved: Solved) -> set[str]:
