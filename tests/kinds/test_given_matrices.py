@@ -80,7 +80,9 @@ def test_as_few_constants_as_will_do(value: str, count: int, tmp_path: Path) -> 
         ("[[1, 1], [1, 1]]", "vanishes, so $D$ is not"),
         ("[[3 + cos(q2), 1], [1, 2]]", "All of them are positive, so $D$ is positive definite"),
         ("[[I1 + m2*q2^2, 0], [0, m2]]", "Masses and moments of inertia are positive"),
-        (PLANAR, "positive definite where $\\Delta_1$ and $\\Delta_2$ are positive"),
+        (PLANAR, "just where $a_3 > 0$ and $a_1 a_3 - a_2^2 - a_3^2 > 0$"),
+        ("[[a + b*cos(q2), 0], [0, c]]", "configuration just where $c > 0$, "),
+        ("[[a + b*sin(q2), 0], [0, c]]", "positive definite where"),
     ],
 )
 def test_whether_it_is_positive_definite(value: str, said: str, tmp_path: Path) -> None:

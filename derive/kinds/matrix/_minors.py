@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
+from math import inf
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
@@ -16,6 +17,7 @@ from derive.expression import PI, ZERO, Call, Expr, Relation, Symbol, multiply
 from derive.expression import number as rational
 from derive.kinds.checks import close, route
 from derive.kinds.matrix._inertia import GivenInertia
+from derive.kinds.matrix._worst import holds, worst
 from derive.kinds.robot._degrees import in_degrees
 from derive.kinds.robot._dynamics.definite import is_positive
 from derive.kinds.work import Work
@@ -71,7 +73,7 @@ def minors(work: Work, found: GivenInertia) -> tuple[Work, Phrase, bool]:
     ways = [_minors(work, found, order) for order in (range(size), range(size)[::-1]) if size <= MOST]
     if not ways or max(operations(value) for way in ways for value in way.values) > LONGEST:
         return work, Phrase("long-minors", {"D": found.name}), True
-    best = max(ways, key=lambda way: way.known)
+    best = max(ways, key=lambda way: (way.known, -_conditions(found, way)))
     letter = free(work.problem.taken, "Delta", "M", indices=[f"_{k}" for k in range(1, size + 1)])
     names = [Symbol(f"{letter}_{k}") for k in range(1, size + 1)]
     for k, (name, value) in enumerate(zip(names, best.values, strict=True), 1):
@@ -83,7 +85,10 @@ def minors(work: Work, found: GivenInertia) -> tuple[Work, Phrase, bool]:
     negative = next(_negative(work, found, names, best), None)
     if negative:
         work = work.claim(route("negative-there", _eigenvalues(found, negative.at(found))[0] < 0))
-    return work, negative.told(found) if negative else _told(work, found, names, best), best.order[0] == 0
+    told = negative.told(found) if negative else _told(work, found, names, best)
+    if told.key.startswith("definite-where") and (least := worst(found, _unknown(names, best))):
+        work, told = work.claim(route("all-around", holds(found, least))), least.told(found.name)
+    return work, told, best.order[0] == 0
 
 
 def _minors(work: Work, found: GivenInertia, order: Sequence[int]) -> Minors:
@@ -92,6 +97,20 @@ def _minors(work: Work, found: GivenInertia, order: Sequence[int]) -> Minors:
     parts = [[[rows[i][j] for j in order[:k]] for i in order[:k]] for k in range(1, len(order) + 1)]
     values = tuple(found.final(ScalarMatrix.of(part).det()) for part in parts)
     return Minors(tuple(order), values, tuple(_sign(work, found, value) for value in values))
+
+
+def _unknown(names: Sequence[Symbol], way: Minors) -> list[tuple[Symbol, Expr]]:
+    """The minors whose sign is not known."""
+    rows = zip(names, way.values, way.signs, strict=True)
+    return [(name, value) for name, value, sign in rows if sign is None]
+
+
+def _conditions(found: GivenInertia, way: Minors) -> float:
+    """How many they need to be positive; without end where nothing says so."""
+    names = [Symbol(f"Delta_{k}") for k, _ in enumerate(way.values, 1)]
+    unknown = _unknown(names, way)
+    least = worst(found, unknown)
+    return len(least.positive) if least else inf if unknown else 0
 
 
 def _formula(D: Symbol, rows: Sequence[int], size: int) -> tuple[Expr, ...]:
