@@ -10,6 +10,8 @@ from derive.derivation import Derivation
 from derive.expression import Expr, Number, walk
 from derive.kinds.problem import Problem
 from derive.kinds.robot._lengths import unit_of_lengths
+from derive.mechanics.fitting import PointPairs
+from derive.mechanics.frames import Frames
 from derive.mechanics.paths import Path
 from derive.mechanics.robot import Robot
 
@@ -17,12 +19,15 @@ TREES = get_args(Expr)
 
 
 def bare_units(problem: Problem) -> frozenset[str]:
-    """Meters where lengths of an arm or of a path were typed in them, seconds where times of a path were."""
+    """Meters where lengths of an arm, of frames, of measured points or of a path were typed in them, seconds
+    where times of a path were."""
     if isinstance(problem.subject, Robot):
         return frozenset(filter(None, (unit_of_lengths(problem),)))
     if isinstance(problem.subject, Path):
         units = "/".join(_units((problem.subject, *problem.where.values()))).split("/")
         return frozenset(unit[0] for unit in units if unit and unit[0] in "ms")
+    if isinstance(problem.subject, PointPairs | Frames):
+        return frozenset({"m"} & {*_units((problem.subject, *problem.where.values()))})
     return frozenset()
 
 

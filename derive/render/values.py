@@ -84,7 +84,8 @@ class Values:
             turned = unit and unit.startswith("deg") and PI in walk(last) and not self._of_angles(last)
             return _distinct((*before, self._turned(last) if turned else last))
         exact, rounded = self.value(last, unit)
-        return _distinct((*before, *exact, *rounded))
+        vectors = (_exact(tree, unit, False) if _is_vector(tree) else tree for tree in before)
+        return _distinct((*vectors, *exact, *rounded))
 
     def relation(self, relation: Relation) -> Relation:
         """An equation that says the value of a name, with its unit, unless it has to be rounded."""
@@ -294,6 +295,12 @@ def _measured(tree: Expr, unit: str | None, angle: bool) -> Expr:
     if entries == {ZERO}:
         return tree
     return in_unit(tree, (unit or "").removeprefix("deg").removeprefix("rad" if angle else ""))
+
+
+def _is_vector(tree: Expr) -> bool:
+    """Whether it is a matrix of numbers, maybe with a factor."""
+    whole = tree.factors[-1] if isinstance(tree, Product) else tree
+    return isinstance(whole, Matrix) and not free_symbols(tree)
 
 
 def _exact(tree: Expr, unit: str | None, angle: bool) -> Expr:

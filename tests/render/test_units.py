@@ -209,7 +209,7 @@ def test_a_time_is_never_in_degrees_and_an_angle_is_where_they_were_typed(tmp_pa
     text = MOTION.format("from: q_0, to: q_f, time: t_f, cruise: V", "lspb-trajectory")
     point = "{q_0: 0, q_f: 40 deg, t_f: 1 s, V: 60 deg/s}"
     page = render(document(f"{text}  evaluate: {point}\n", tmp_path), "md")
-    said = r"t_b \approx 0.333\ \mathrm{s} \qquad v = 60^\circ/\mathrm{s} \qquad a = 180^\circ/\mathrm{s}^2"
+    said = r"t_b \approx 0.333\ \mathrm{s} \qquad a = 180^\circ/\mathrm{s}^2"
     assert said in page
 
 
