@@ -122,6 +122,7 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
     metavar="N",
     help="Build at most N sheets at a time; left out, as many as there are processors.",
 )
+@click.option("--no-cache", is_flag=True, help="Derive sheets again of which nothing has changed.")
 def build(
     sheets: tuple[Path, ...],
     formats: tuple[str, ...],
@@ -135,6 +136,7 @@ def build(
     templates: Path | None,
     pdf_engine: str,
     jobs: int | None,
+    no_cache: bool,
 ) -> None:
     """Build solution sheets (the default command). A directory stands for the sheets in it."""
     target = None if output == "-" else Path(output)
@@ -145,7 +147,7 @@ def build(
     with guarded():
         _build(
             sheets, formats, target, problems, space, steps, audit, explain, no_figures, templates,
-            pdf_engine, jobs,
+            pdf_engine, jobs, not no_cache,
         )  # fmt: skip
 
 
@@ -162,6 +164,7 @@ def _build(
     templates: Path | None,
     pdf_engine: str,
     jobs: int | None = 1,
+    cache: bool = False,
 ) -> None:
     if space and not problems:
         raise click.UsageError("--space leaves room on problem sheets: add --problems")
@@ -178,7 +181,7 @@ def _build(
     )
     try:
         with progress() as step:
-            found = built(sheets, wanted, target, jobs or _processors(), step, warn)
+            found = built(sheets, wanted, target, jobs or _processors(), step, warn, cache)
     except NotAllWritten as failed:
         _say_pages(failed.files, target)
         raise
@@ -190,6 +193,8 @@ def _build(
         for line in report(found.audited):
             say(line)
     _say_pages(found.files, target)
+    if found.unchanged:
+        say(_unchanged(found.unchanged))
     for line in found.explained:
         say(line)
 
@@ -199,6 +204,11 @@ def _collect_seldom() -> None:
     import gc
 
     gc.set_threshold(100_000, 50, 50)
+
+
+def _unchanged(sheets: tuple[Path, ...]) -> str:
+    first, *others = sheets
+    return f"{len(sheets)} sheets are unchanged" if others else f"{first} is unchanged"
 
 
 def _processors() -> int:

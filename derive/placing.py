@@ -74,6 +74,8 @@ def aside(output: Path) -> Iterator[Path]:
 
 def put_all(made: Sequence[Made], folder: Path, output: Path) -> tuple[Path, ...]:
     """Puts what was made in its place, and removes older pages that failed. Raises OSError."""
+    if not any(each.pages for each in made):
+        return ()
     files = [
         *(path for each in made for path in each.beside),
         *(path for each in made for path in each.pages),

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -25,6 +26,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 @pytest.fixture
 def update_golden(request: pytest.FixtureRequest) -> bool:
     return bool(request.config.getoption("--update-golden"))
+
+
+@pytest.fixture(autouse=True, scope="session")
+def stamps(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """What is known of sheets that were built lies with the rest of what tests leave behind."""
+    os.environ["DERIVE_CACHE"] = str(tmp_path_factory.mktemp("stamps"))
 
 
 @pytest.fixture

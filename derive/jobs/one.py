@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from derive import build
 from derive.errors import NotAsWritten, SheetError, SheetErrors
 from derive.jobs.wanted import Outcome, Task, Wanted
+from derive.known.files import Digests, as_read, digest, noting
 from derive.messages import REPORT, apology, disk_behind
 from derive.placing import Made
 from derive.render.own_templates import fault_of
@@ -28,7 +29,9 @@ def done(task: Task, wanted: Wanted, folder: Path | None, progress: Progress) ->
         if task.step == "read":
             build.load_all([task.sheet], progress)
             return Outcome()
-        return _built(task.sheet, wanted, folder, progress, warnings)
+        with noting() as notes:
+            outcome = _built(task.sheet, wanted, folder, progress, warnings)
+        return replace(outcome, read=as_read(notes), written=_written(outcome.made, folder))
     except SheetErrors as errors:
         return Outcome(tuple(warnings), errors.errors)
     except OSError:
@@ -41,6 +44,13 @@ def done(task: Task, wanted: Wanted, folder: Path | None, progress: Progress) ->
         if os.environ.get("DERIVE_DEBUG"):
             raise
         return Outcome(tuple(warnings), accident=accident(error, task.sheet))
+
+
+def _written(made: Made, folder: Path | None) -> Digests:
+    """What was made, by its place in the output folder."""
+    if folder is None:
+        return ()
+    return tuple((path.relative_to(folder).as_posix(), digest(path)) for path in (*made.beside, *made.pages))
 
 
 def accident(error: Exception, sheet: Path) -> SheetError:

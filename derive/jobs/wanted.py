@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from derive.errors import SheetError
+from derive.known.files import Digests
 from derive.placing import Made
 
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ class Outcome:
     """What came of a sheet.
 
     `faults` are why it has no pages; an `accident` of ours is one that does not keep others from theirs.
+    `read` are the files that it was made of, None where that is not sure, and `written` those that were made.
     `audited` and `explained` are what is told where that was asked, `texts` the pages without a folder.
     """
 
@@ -49,6 +51,13 @@ class Outcome:
     faults: tuple[SheetError, ...] = ()
     accident: SheetError | None = None
     made: Made = field(default_factory=Made)
+    read: Digests | None = None
+    written: Digests = ()
     texts: tuple[str, ...] = ()
     audited: tuple[Found, ...] = ()
     explained: tuple[str, ...] = ()
+
+    @property
+    def whole(self) -> bool:
+        """Whether all its pages were made."""
+        return not (self.faults or self.accident or self.made.faults)

@@ -11,6 +11,7 @@ from derive.errors import SheetError, SheetErrors, position
 from derive.expression import free_symbols
 from derive.figures.wish import Polyhedron, Wish
 from derive.kinds.figures import DRAWN
+from derive.known.files import noted
 from derive.sheet.checked import checked
 from derive.sheet.cut import cut_fault, cut_off
 from derive.sheet.doubts import POINTS, angles_of, doubts_about
@@ -221,6 +222,7 @@ def _figure(at: At, typed: str | GivenFigure, subject: str) -> bool | Path | Wis
         return typed == "true"
     folder = at.source.path.parent
     path = folder / typed
+    noted(path)
     if not path.resolve().is_relative_to(folder.resolve()):
         raise at.error("the picture lies outside the folder of the sheet", ("figure",))
     if not path.is_file():

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from ruamel.yaml.composer import Composer, ComposerError
 
 from derive.errors import Place, SheetError, SheetErrors
+from derive.known.files import noted
 from derive.sheet.source import Faults, Route, Source, Spot
 from derive.sheet.yaml_faults import QUOTES, explain, taken_by_quotes, unprintable
 
@@ -43,6 +44,7 @@ def read_text(text: str, path: Path) -> Source:
 
 
 def _text(path: Path) -> str:
+    noted(path)
     try:
         if not S_ISREG(path.stat().st_mode):  # a pipe or a device might never end
             hint = "a sheet is a file ending in .yaml"

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from derive.errors import SheetError, SheetErrors
+from derive.known.files import noted
 from derive.sheet.exchange.library import Library
 from derive.sheet.exchange.values import EXACT
 from derive.sheet.source import At
@@ -59,6 +60,7 @@ def imported(path: Path, wish: Wish = Wish()) -> Told:
 
 def text_of(path: Path) -> str:
     """The text of a file. Raises SheetErrors."""
+    noted(path)
     try:
         if not path.is_file():
             raise SheetErrors([SheetError(f"{path}: this is no ordinary file")])

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from derive.known.files import noted
+
 INCLUDED = (".xacro", ".urdf", ".xml")
 
 
@@ -31,5 +33,6 @@ class Library:
             yield around / package
 
     def _may_be_read(self, path: Path) -> bool:
+        noted(path)
         inside = self.folder is None or path.resolve().is_relative_to(self.folder.resolve())
         return inside and path.suffix.lower() in INCLUDED and path.is_file()
