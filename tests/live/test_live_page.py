@@ -13,6 +13,7 @@ import pytest
 
 from tests.commands import SHEET
 from tests.live.browser import Tab, browser
+from tests.render.test_browser import AXE
 
 FRAME = "document.querySelector('iframe:not(.next)')"
 INSIDE = f"{FRAME}.contentDocument"
@@ -56,6 +57,16 @@ def live(tmp_path: Path) -> Iterator[Live]:
             process.kill()
 
 
+def judged(tab: Tab) -> list[str]:
+    """What axe-core finds at fault with all that can be opened around the page, which is judged elsewhere."""
+    tab.value("document.querySelectorAll('header button').forEach(each => each.click())")
+    tab.value(f"{AXE.read_text(encoding='utf-8')}; 1")
+    found: list[str] = tab.value(
+        "axe.run(document, {iframes: false}).then(judged => judged.violations.map(each => each.id))"
+    )
+    return found
+
+
 def test_it_follows_the_sheet(live: Live) -> None:
     tab = live.tab
     good = live.sheet.read_text(encoding="utf-8")
@@ -76,6 +87,7 @@ def test_it_follows_the_sheet(live: Live) -> None:
     live.shows("Question 3")
     assert tab.value(f"{INSIDE}.getElementById('question-1-3').style.borderInlineStart") != ""
     assert tab.value(f"{INSIDE}.getElementById('question-1-2').style.borderInlineStart") == ""
+    assert judged(tab) == []
     tab.value("document.querySelector('button.said').click()")
     assert tab.value("document.querySelector('li.wrong mark').textContent") == "jacobain"
 
