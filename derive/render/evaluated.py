@@ -6,6 +6,7 @@ import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import groupby
 from typing import Any, get_args
 
 from derive.algebra.formulas.quantities import rational
@@ -48,6 +49,7 @@ TREES = get_args(Expr)
 WHOLE_BELOW = 10**6
 WHOLE_WITHIN = 1e-7  # degrees
 EXACT = 1e-12  # radians
+MANY = 6  # numbers beside each other
 IMAGINARY = Symbol("j")
 
 
@@ -89,7 +91,7 @@ def evaluated_words(
         "pose": pose,
         "unit": ", ".join({unit_typed(value) for name, value in at.items() if name in told} - {""}),
         "point": [telling.given(name, value) for name, value in at.items() if not given and name not in told],
-        "display": telling.display(chains) if chains else "",
+        "display": telling.displays(chains) if chains else "",
         "branches": [
             telling.branch(branch, working, facts.page_names)
             for branch in (found["solutions"] if "solutions" in names and not tabled else ())
@@ -188,6 +190,14 @@ class Telling:
             replace(shown, evaluated=all(self._tells(c, *told) for c, told in chains.items()))
         )
         return self.skin.display(display)
+
+    def displays(self, chains: Mapping[Chain, tuple[Any, str]]) -> str:
+        """The same; many numbers stand apart from matrices, beside which a row has room for fewer."""
+        sizes = {chain: _is_matrix(told[0]) for chain, told in chains.items()}
+        if len(sizes) - sum(sizes.values()) <= MANY:
+            return self.display(chains)
+        groups = (tuple(group) for _, group in groupby(chains, key=lambda chain: sizes[chain]))
+        return "\n".join(self.display({chain: chains[chain] for chain in group}) for group in groups)
 
     def inline(self, chain: Chain, value: Any, name: str) -> str:
         """An equation in a line of text that tells a value."""

@@ -9,7 +9,16 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.christoffel_lines import lines, named, ordered, shown, skew
+from derive.kinds.robot._dynamics.christoffel_lines import (
+    left_out,
+    left_out_rightly,
+    lines,
+    listed,
+    named,
+    ordered,
+    shown,
+    skew,
+)
 from derive.kinds.robot._dynamics.index_laws import christoffel_law
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
 from derive.kinds.work import Work
@@ -17,7 +26,7 @@ from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
 MOST_TERMS = 30_000  # of all symbols; more take longer than anyone waits
-CLAIMS = ("names", "symmetric", "skew-symmetric", "others-vanish")
+CLAIMS = ("names", "symmetric", "skew-symmetric", "others-vanish", "listed")
 
 
 class Facts(PageFacts):
@@ -46,8 +55,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     gone = sum(not normal(value, problem.names) for value in untold)
     work = work.law("others-vanish", (gone == vanish, big or gone == len(untold)))
     work = by_index(work, results)
-    others = _others(big, len(symbols), vanish, len(told))
-    return work.answer("christoffel", results, Facts(constant=not big and not told, others=others))
+    facts = Facts(
+        constant=not big and not told,
+        others=_others(big, len(symbols), vanish, len(told)),
+        numbers=listed(results, symbols),
+        remark=left_out(results, symbols),
+    )
+    return work.law("listed", left_out_rightly(facts, symbols)).answer("christoffel", results, facts)
 
 
 def _others(big: bool, count: int, vanish: int, told: int) -> Phrase | None:

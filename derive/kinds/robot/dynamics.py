@@ -10,6 +10,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.christoffel_lines import left_out, left_out_rightly, listed
 from derive.kinds.robot._dynamics.drives import Facts as Facts
 from derive.kinds.robot._dynamics.drives import effort_told, friction_sorts, friction_told
 from derive.kinds.robot._dynamics.index_laws import motion_law
@@ -58,7 +59,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     results = {"D": arm.inertia.results["D"], **speed.results, **weight.results, "tau": tau}
     work = by_index(work, results)
     rubbing, effort = friction_told(viscous, coulomb), effort_told(robot)
-    facts = Facts(big=big, notation="spong", rubbing=rubbing, effort=effort)
+    facts = Facts(
+        big=big,
+        notation="spong",
+        rubbing=rubbing,
+        effort=effort,
+        numbers=listed(results, arm.christoffel),
+        remark=left_out(results, arm.christoffel),
+    )
+    work = work.law("listed", left_out_rightly(facts, arm.christoffel))
     rubs = [friction for link in robot.links if (friction := link.friction) is not None]
     sorts = (
         any(each.viscous != ZERO for each in rubs),

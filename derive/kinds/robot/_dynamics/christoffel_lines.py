@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
-from derive.expression import Derivative, Expr, Number, Sum, Symbol, add, multiply, number
+from derive.derivation import PageFacts, Phrase, Result
+from derive.expression import ZERO, Derivative, Expr, Number, Sum, Symbol, add, multiply, number
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel
 from derive.names import entry_symbol
@@ -50,6 +51,38 @@ def ordered(ijk: Index) -> Index:
     """The indices of the symbol that has the same value, the first two in order."""
     i, j, k = ijk
     return (min(i, j), max(i, j), k)
+
+
+def listed(results: Mapping[str, Result], symbols: Christoffel) -> tuple[str, ...]:
+    """The results that are worth a number at a point: of two that are equal one, and none that vanish."""
+    left = {named(ijk).name for ijk in symbols if ijk != ordered(ijk) or results[named(ijk).name] == ZERO}
+    return tuple(name for name in results if name not in left)
+
+
+LEFT = {  # whether there are equal ones, and such as vanish
+    (True, True): "equal-or-zero",
+    (True, False): "equal-ones",
+    (False, True): "zero-ones",
+    (False, False): "",
+}
+
+
+def left_out(results: Mapping[str, Result], symbols: Christoffel) -> Phrase | None:
+    """What is said of those that are not listed, where some are."""
+    there = [ijk for ijk in symbols if results[named(ijk).name] != ZERO]
+    key = LEFT[any(i != j for i, j, _ in there), len(there) < len(symbols)]
+    return Phrase(key) if there and key else None
+
+
+def left_out_rightly(facts: PageFacts, symbols: Christoffel) -> Iterator[bool]:
+    """Whether each equals one that is listed, or is zero; and whether there are such as it is said."""
+    names, key = facts.numbers or (), facts.remark.key if facts.remark else ""
+    for (i, j, k), value in symbols.items():
+        yield not value or any(
+            named((a, b, k)).name in names and symbols[a, b, k] == value for a, b in ((i, j), (j, i))
+        )
+    twins = any(value and i < j for (i, j, _), value in symbols.items())
+    yield key == (LEFT[twins, not all(symbols.values())] if any(symbols.values()) else "")
 
 
 def _line(
