@@ -21,7 +21,7 @@ JOINT, ONE_OF_MANY, OF_WRIST = (
     0.07,
     0.22,
 )  # of the whole arm: a joint, of more than MANY, of a wrist alone
-MANY = 6
+MANY = 5
 
 
 @dataclass(frozen=True, slots=True)

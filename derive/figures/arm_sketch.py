@@ -27,6 +27,7 @@ MIDDLE, ASIDE = (0.5, 0.35, 0.65, 0.2, 0.8), (0.76, 0.24, 0.5, 0.85, 0.65)  # of
 MOST_NUMBERS = 3  # lengths that are written as numbers; of more the letters of the table are
 OF_ROD = 0.08  # of the longest rod: a joint
 MOST, JOINT = 250.0, 16.0  # points: how high an arm is drawn, and how large a joint of it
+FEW = 4  # joints that need no more room
 
 
 def drawn(robot: Robot, where: Mapping[str, Expr], wish: Wish, marks: Sequence[Mark] = ()) -> Drawing:
@@ -49,9 +50,11 @@ def drawn(robot: Robot, where: Mapping[str, Expr], wish: Wish, marks: Sequence[M
 
 
 def _highest(strokes: Sequence[Stroke], size: float, named: int) -> float:
-    """How high an arm is drawn, in points: higher with more joints and marks, and no joint too large."""
+    """How high an arm is drawn, in points: higher with more joints and marks, and no joint too large, but for
+    those of a wrist, about which there is much to write."""
     heights = [y for stroke in strokes for _, y in stroke.places]
-    return min(MOST, 125 + 22 * named, (max(heights) - min(heights)) / size * JOINT + 30)
+    largest = JOINT * max(1.0, named / FEW)
+    return min(MOST, 125 + 22 * named, (max(heights) - min(heights)) / size * largest + 30)
 
 
 def _sketch(

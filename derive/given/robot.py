@@ -70,7 +70,7 @@ def _rows(robot: Robot) -> Iterator[Datum]:
     for i, link in enumerate(robot.links, 1):
         if isinstance(link.row, FreeRow):
             frames = {"frame": number(i), "before": number(i - 1)}
-            yield moved("free-row", link.row.moves, frames, link.variable)
+            yield moved("free-row" if link.variable else "still-row", link.row.moves, frames, link.variable)
     if robot.tool:
         yield moved("tool", robot.tool)
 
