@@ -12,6 +12,7 @@ from derive.kinds.path._naming import place_name
 from derive.kinds.problem import Problem
 from derive.mechanics.paths import Arc, Curve, Line, Path, Via
 
+LAWS = {"cubic": "cubic", "quintic": "quintic|fifth|degree five", "trapezoidal": "trapez"}
 FULL = multiply(number(2), PI)
 
 
@@ -19,7 +20,7 @@ def data(path: Path, problem: Problem) -> Iterator[Datum]:
     """A sentence of the shape, of a function its formula; then how it goes along it in time."""
     yield from _shape(path, problem)
     if path.timing is not None:
-        yield Datum(Phrase(path.timing.law))
+        yield Datum(Phrase(path.timing.law), words=("rest", LAWS[path.timing.law]))
         for key in ("time", "v_max", "a_max"):
             if (value := getattr(path.timing, key)) is not None:
                 of_s = isinstance(path.shape, Curve) and key != "time"
