@@ -17,7 +17,7 @@ from derive.render.skin import environment
 
 Q = re.compile(r"q(_[ijk]+)?(_?d?dot)?")  # q, its rates, and any of its entries
 RATE = re.compile(r"q_?d?dot")
-TYPED = re.compile(r"(?<![A-Za-z\\])(?<!delta )q(?:_(?:k|\{k[^}]*\}))?(?![A-Za-z_])")  # and q_k
+TYPED = re.compile(r"\(q(?:_k)?\)|(?<![A-Za-z\\])q_(?:k\b|\{k)")  # f(q), and q_k of steps
 POINT = re.compile(r"q_[1-9]\d*")  # where points are called so, q is one of them; q_0 is where joints begin
 WORDS = "words/_coordinates.j2"
 
