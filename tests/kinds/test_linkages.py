@@ -16,6 +16,7 @@ from derive.expression import number
 from derive.figures.bars import drawn
 from derive.mechanics.linkages import FourBar, SliderCrank
 from derive.sheet.load import load_sheet
+from derive.writing import render
 
 FOUR = "{four-bar: {crank: 40, coupler: 120, rocker: 80, ground: 100}}"
 SLIDER = "{slider-crank: {crank: 40, rod: 120, offset: -20}}"
@@ -130,3 +131,30 @@ def test_what_cannot_be_joined(tmp_path: Path, mechanism: str, find: str, messag
     with pytest.raises(SheetErrors) as caught:
         solved(tmp_path, mechanism, find, "{}")
     assert any(message in each.message for each in caught.value.errors)
+
+
+@pytest.mark.parametrize(
+    ("bars", "around"), [((30, 50, 45, 60), True), ((50, 30, 45, 60), False), ((2, 2, 2, 2.5), False)]
+)
+def test_the_ends_of_a_rocker(tmp_path: Path, bars: tuple[float, ...], around: bool) -> None:
+    """A scan of all angles of the crank: whether it turns all round, and between which angles the rocker
+    goes then."""
+    a, b, c, d = bars
+    given = f"{{four-bar: {{crank: {a}, coupler: {b}, rocker: {c}, ground: {d}}}}}"
+    found = solved(tmp_path, given, "singularities")
+    (document,) = derive_all([load_sheet(tmp_path / "sheet.yaml")], True, lambda _: None)
+    assert ("it can turn all the way round" in render(document, "md")) == around
+    ends = [abs(each["theta_4"]) for each in found if "theta_4" in each]
+    if around:
+        A = a * np.exp(1j * np.linspace(0, 2 * np.pi, 20001)) - d
+        turns = np.angle(A) + np.arccos((abs(A) ** 2 + c**2 - b**2) / (2 * c * abs(A)))
+        turns = np.abs(np.angle(np.exp(1j * turns)))
+        assert sorted({round(end, 6) for end in ends}) == pytest.approx([turns.min(), turns.max()], abs=1e-4)
+
+
+def test_the_ends_of_a_slider(tmp_path: Path) -> None:
+    found = solved(tmp_path, SLIDER, "singularities")
+    t = np.linspace(0, 2 * np.pi, 20001)
+    outwards = 40 * np.cos(t) + np.sqrt(120**2 - (-20 - 40 * np.sin(t)) ** 2)
+    ends = sorted(each["s"] for each in found if each["s"] > 0)
+    assert ends == pytest.approx([outwards.min(), outwards.max()], abs=1e-4)

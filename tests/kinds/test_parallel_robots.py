@@ -16,6 +16,7 @@ from derive.figures.bars import five_bar
 from derive.mechanics.linkages import FiveBar
 from derive.sheet.load import load_sheet
 from tests.kinds.test_linkages import solved
+from tests.sheets import pages
 
 SIDE_E, SIDE_F, FOREARM, ARM = 115.0, 457.3, 232.0, 112.0
 SQUARE = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
@@ -146,3 +147,17 @@ def test_what_has_no_such_motors(tmp_path: Path, mechanism: str, message: str) -
     with pytest.raises(SheetErrors) as caught:
         solved(tmp_path, mechanism, "inverse-kinematics", "{}")
     assert any(message in each.message for each in caught.value.errors)
+
+
+def test_equal_couplers_folded_leave_a_circle(tmp_path: Path) -> None:
+    """The ends of the cranks coincide where couplers that are equally long are folded, and only there."""
+    for couplers, circles in (("b, b", 1), ("b_1, b_2", 0), ("2, 3", 0)):
+        sheet = tmp_path / f"sheet{circles}{len(couplers)}.yaml"
+        mechanism = f"{{five-bar: {{cranks: [a, a], couplers: [{couplers}], ground: d}}}}"
+        sheet.write_text(
+            f"title: x\nproblems:\n- mechanism: {mechanism}\n  find: singularities\n", encoding="utf-8"
+        )
+        (page,) = (each for each in pages(sheet, tmp_path, "md") if each.suffix == ".md")
+        text = page.read_text(encoding="utf-8")
+        assert text.count("may go all around them") == circles
+        assert text.count("and the two assemblies meet.") == 2 - circles
