@@ -9,7 +9,7 @@ from derive.derivation import Label, Panels, Phrase, Place, Plot, Said
 from derive.errors import NotAsWritten
 from derive.expression import Approximate, Expr, Relation, Symbol
 from derive.figures.axes import IN_TIME, axis, short
-from derive.mechanics.course import Course, Points, extremes, is_joined, sampled
+from derive.mechanics.course import Course, Points, at, extremes, is_joined, sampled
 from derive.mechanics.profile import Sort
 from derive.mechanics.shapes import TERMS
 
@@ -24,6 +24,7 @@ SHAPES = {
     (2, 1, 2): "shape-trapezoid",
     (2, 2): "shape-triangle",
 }
+RAMPS = ((2, 1, 2), (2, 2))
 SAME = 1e-9  # of times that are one
 PAST = 0.2  # of a limit: how far back a motion goes for the limit to be drawn there too
 
@@ -71,8 +72,11 @@ def _caption(courses: Mapping[Label, Course], units: tuple[str, ...], turned: bo
 
 
 def _shape(course: Course) -> Phrase:
-    """What a course is, by the degrees of its pieces."""
+    """What a course is, by the degrees of its pieces; ramps have a name of their own from rest to rest."""
     degrees_ = tuple(len(piece.coefficients) - 1 for piece in course)
+    ends = (abs(at(course, time, 1)) for time in (course[0].start, course[-1].end))
+    if degrees_ in RAMPS and max(ends) > SAME * (1 + max(map(abs, extremes(course, 1)))):
+        return Phrase("shape-pieces")
     return Phrase(SHAPES.get(degrees_, "shape-spline" if {*degrees_} == {3} else "shape-pieces"))
 
 
