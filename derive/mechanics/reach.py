@@ -1,5 +1,5 @@
-"""How far an arm reaches whose joints turn freely: arms in a plane, and arms of three joints that swing such
-an arm about an axis.
+"""How far an arm reaches whose joints turn freely: arms in a plane, and arms of which a first joint swings
+such an arm about its axis.
 
 Each link is a segment of fixed length between two axes, seen along them (Siciliano et al., section 2.10;
 Craig, section 4.2).
@@ -35,11 +35,11 @@ class PlanarArm:
 
 @dataclass(frozen=True, slots=True)
 class SwungArm:
-    """Two links in a plane that a first axis swings about itself: `offset` from that axis to the second,
+    """Links in a plane, two or more, that a first axis swings about itself: `offset` from it to the second,
     `side` the distance of the point from the plane of the first axis parallel to the links, `height` of the
     second axis; `center` is the point of the first axis at that height (3 by 1)."""
 
-    lengths: tuple[Scalar, Scalar]
+    lengths: tuple[Scalar, ...]
     offset: Scalar
     side: Scalar
     center: ScalarMatrix
@@ -67,9 +67,10 @@ def moving_joints(chain: Chain, point: ScalarMatrix, last: int) -> list[int]:
 
 
 def swung_arm(chain: Chain, point: ScalarMatrix, last: int) -> SwungArm | None:
-    """None unless three revolute joints move the point, the last two parallel and square to the first."""
+    """None unless three revolute joints or more move the point, all parallel but the first, which is square
+    to the others."""
     rows = moving_joints(chain, point, last)
-    if len(rows) != 3 or any(chain.joint(i).type != "revolute" for i in rows):
+    if len(rows) < 3 or any(chain.joint(i).type != "revolute" for i in rows):
         return None
     first, second = chain.axis(rows[0]), chain.axis(rows[1])
     lengths = _lengths(chain, rows[1:], point)
@@ -82,7 +83,7 @@ def swung_arm(chain: Chain, point: ScalarMatrix, last: int) -> SwungArm | None:
     if any(not _fixed(chain, each) for each in (offset, height, side)):
         return None
     center = start + first.scaled(height)
-    return SwungArm((lengths[0], lengths[1]), size(offset * offset), size(side * side), center)
+    return SwungArm(lengths, size(offset * offset), size(side * side), center)
 
 
 def turns_freely(chain: Chain, moving: Sequence[int], spare: Sequence[int], planar: bool) -> bool:

@@ -36,7 +36,9 @@ from derive.kinds.robot._reach.regions import (
     region_of,
     secondary,
 )
+from derive.kinds.robot._reach.sections import InSectionOf, orientations_held
 from derive.kinds.robot._reach.shapes import Shape
+from derive.kinds.robot._reach.spheres import OnTwoAxes
 from derive.kinds.robot._reach.told import (
     R_MAX,
     R_MIN,
@@ -54,19 +56,22 @@ from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.reach import moving_joints, planar_arm, swung_arm, turns_freely
 from derive.mechanics.robot import Robot
+from derive.mechanics.section import Section, on_sphere, section
 from derive.names import free
 
 NOTHING, NEARLY = 1e-9, 1e-3  # of a hole, and of the corners of a circle
 EXAMPLE = 0.6  # of the first link: a second one of which nothing is known, so that a hole is seen
-CLAIMED = {"r_min": "orientations", "rings": "orientations"}
+CLAIMED = {"r_min": "orientations", "rings": "orientations", "regions": "section-counts"}
 CLAIMED_OF_REGION = (
-    "largest-distance|inside",
-    "smallest-distance|filled",
-    "lines",
-    "link-lengths|touching",
-    "called",
+    "largest-distance|inside|section-seen|on-sphere",
+    "smallest-distance|filled|section-seen|on-sphere",
+    "lines|section-seen|on-sphere",
+    "link-lengths|touching|section-seen|on-sphere",
+    "called|section-seen|on-sphere",
 )
-measures = together(of_variables, r_min="m", r_max="m", area="m^2", volume="m^3")
+measures = together(
+    of_variables, r_min="m", r_max="m", area="m^2", volume="m^3", rho2="m^2", z="m", z_min="m", z_max="m"
+)
 SIZES = {"area": "its-area", "volume": "its-volume"}
 
 
@@ -99,6 +104,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     shape = _limited(problem, found, point)
     if shape:
         return _within(problem, found, point, shape, options)
+    if (cut := _cut(found, point)) is not None:
+        if (sphere := on_sphere(found, cut, point.position)) is not None:
+            return OnTwoAxes(problem, found, point, cut, sphere).derivation()
+        return InSectionOf(problem, found, point, cut, options.evaluate or ()).derivation()
     region = region_of(problem, found, point)
     r_max, r_min = final_distance(problem, region.largest[-1]), final_distance(problem, region.smallest[-1])
     steps = (
@@ -119,8 +128,16 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.claim(*reached.claims(steps, region.smallest[-1] == ZERO, inner))
     called = region_told(region, region.smallest[-1] == ZERO)
     work = work.claim(reached.is_called(called), *_as_drawn(plots, (r_max, r_min), problem, options))
+    if facts.orientations.key == "too-few-joints":
+        work = work.claim(orientations_held(problem, found, point, facts.orientations))
     results = {"r_min": r_min, "r_max": r_max, "description": called}
     return work.answer("workspace", results, facts, plots=plots)
+
+
+def _cut(found: Chain, point: Tracked) -> Section | None:
+    """The section of an arm that has no simpler shape."""
+    at = point.position, point.last
+    return None if planar_arm(found, *at) or swung_arm(found, *at) else section(found, *at)
 
 
 def _limited(problem: Problem, found: Chain, point: Tracked) -> Shape | None:
@@ -133,7 +150,7 @@ def _limited(problem: Problem, found: Chain, point: Tracked) -> Shape | None:
     ):
         return None
     shape = shape_within(problem, found, point)
-    if shape is None and ranged:
+    if shape is None and ranged and _cut(found, point) is None:
         raise NotDerivable("the workspace within ranges of the joints of this arm is not derived yet")
     return shape
 
@@ -231,9 +248,10 @@ def _facts(
     spare = tuple(i for i, _ in found.moving if i not in moving and i <= point.last)
     free = turns_freely(found, moving, spare, planar)
     return Facts(
-        arm=arm_told(region, tuple(moving[-2:])),
+        arm=arm_told(region, tuple(moving[1:])),
         shoulder=(Symbol("o_s"), problem.readable_matrix(region.center)) if region.kind == "swung" else None,
         description=region_told(region, closed),
+        folds=_folds(region) if region.kind == "swung" else None,
         within=between(R_MIN, R, R_MAX) if planar and len(region.lengths) > 1 else None,
         closed=closed_where(region),
         nearer=None if region.side == ZERO else Phrase("not-nearer", {"side": region.side}),
@@ -243,6 +261,11 @@ def _facts(
         limits=Phrase("without-limits"),
         numbers=("r_min", "r_max"),
     )
+
+
+def _folds(region: Region) -> Phrase:
+    """Where the point is furthest from the shoulder and nearest to it."""
+    return Phrase("elbow-folds" if len(region.lengths) == 2 else "links-fold")
 
 
 def _pictures(

@@ -14,6 +14,7 @@ from derive.audit.points import Irrational, Number, Point, floating, shown
 from derive.audit.subjects.robot.arm import Arm, entries
 from derive.audit.subjects.robot.dexterous import dexterous
 from derive.audit.subjects.robot.limits import within
+from derive.audit.subjects.robot.sections import in_section, on_two_axes
 from derive.audit.subjects.robot.series import Array, Series, values
 from derive.audit.subjects.robot.task import Task
 
@@ -33,6 +34,12 @@ def workspace(asked: Asked, point: Point) -> Iterator[Test]:
         yield from dexterous(asked, Point(point.seed, False, point.angles, _positive(asked)))
         if "r_max" not in asked.results or "rings" in asked.results or "radius" in said:
             return
+    if "rho2" in asked.results:
+        yield from in_section(asked, point)
+        return
+    if "a sphere" in said:
+        yield from on_two_axes(asked, Point(point.seed, False, point.angles, _positive(asked)))
+        return
     if asked.subject.ranges or "r_min" not in asked.results or "r_max" not in asked.results:
         yield from within(asked, Point(point.seed, False, point.angles, _positive(asked)))
         return

@@ -38,6 +38,7 @@ CALLED = {  # what lies between the distances, whether axes are parallel, whethe
 }  # fmt: skip
 SWEEPS = 100  # of a search joint by joint
 POINTS, STARTS = 4, 3
+FEW = 3  # joints of which many values are tried at once
 Values = dict[str, float]
 
 
@@ -209,9 +210,10 @@ def search(distance: Callable[[Values], float], at: Values, names: list[str], si
 def _scan(distance: Callable[[Values], float], at: Values, names: list[str], sign: int) -> float:
     """The extreme by ever finer steps around the best so far; the first joint swings everything about the
     axis and is left where it is."""
-    here, step = dict(at), math.pi / 4
+    wide = 4 if len(names) <= FEW else 2
+    here, step = dict(at), math.pi / wide
     while step > 1e-5:
-        tried = product(range(-4, 5), repeat=len(names) - 1)
+        tried = product(range(-wide, wide + 1), repeat=len(names) - 1)
         places = [{**here, **_moved(here, names[1:], [k * step for k in ks])} for ks in tried]
         here = max(places, key=lambda each: sign * distance(each))
         step /= 3

@@ -18,7 +18,9 @@ from derive.kinds.work import Work
 from derive.names import free
 
 NEVER = {  # no position has every orientation
-    **dict.fromkeys(("two-orientations", "no-wrist", "no-joint-left", "never-turned"), "empty"),
+    **dict.fromkeys(
+        ("two-orientations", "no-wrist", "no-joint-left", "too-few-joints", "never-turned"), "empty"
+    ),
     "the-base-alone": "the-base",
     "two-orientations-or-the-base": "empty-or-the-base",
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.derivation import PageFacts, Phrase, Record
+from derive.derivation import PageFacts, Phrase, Record, Table
 from derive.expression import Expr, Relation
 
 
@@ -24,6 +24,26 @@ class Dexterous(Record):
     where: Phrase
 
 
+class InSection(Record):
+    """Of an arm that a first joint turns: what counts, the ends that are known, where the boundary is, and
+    how often positions are reached."""
+
+    said: Phrase
+    bounds: tuple[str, ...]
+    boundary: Phrase | None
+    table: Table | None
+    counts: Phrase | None
+
+
+class OnASphere(Record):
+    """Of a point that two axes carry that meet: by which joints, between which heights where it is not the
+    whole sphere, and to which directions the way from there to it goes."""
+
+    said: Phrase
+    part: bool
+    directions: Phrase
+
+
 class Facts(PageFacts):
     """Of what is reached at all, or, in its place, `dexterous`."""
 
@@ -33,6 +53,7 @@ class Facts(PageFacts):
     arm: Phrase | None = None
     shoulder: tuple[Expr, Expr] | None = None  # where distances from it count
     description: Phrase | None = None
+    folds: Phrase | None = None  # where it is nearest to the shoulder and furthest from it
     within: Relation | None = None  # which distances, in a plane
     closed: Phrase | None = None  # for which lengths there is no hole
     nearer: Phrase | None = None  # than is reached
@@ -40,3 +61,5 @@ class Facts(PageFacts):
     limits: Phrase | None = None  # of the joints
     limited: Limits | None = None
     dexterous: Dexterous | None = None
+    section: InSection | None = None
+    sphere: OnASphere | None = None

@@ -50,8 +50,9 @@ def region_of(problem: Problem, found: Chain, point: Tracked) -> Region:
     if swung:
         return _shell(problem, swung)
     raise NotDerivable(
-        "the workspace is found where all joints that move the point are parallel, and where they are three "
-        "revolute ones of which the last two are parallel and square to the first; this arm is neither"
+        "the workspace is found where all joints that move the point are parallel, where a first one swings "
+        "links about its axis that move in a plane through it or beside it, and of at most three joints of "
+        "which the first turns; this arm is neither"
     )
 
 
@@ -72,11 +73,7 @@ def _each_its_row(found: Chain) -> bool:
 
 def _annulus(problem: Problem, arm: PlanarArm) -> Region:
     lengths = tuple(map(problem.readable, arm.lengths))
-    smallest = lengths
-    if len(lengths) == 2:
-        smallest = _difference(problem, arm.lengths)
-    elif len(lengths) > 2:
-        smallest = _holes(problem, _overreach(problem, arm.lengths))
+    smallest = lengths if len(lengths) == 1 else _folded(problem, arm.lengths)
     return Region("planar", lengths, smallest, _sum(problem, arm.lengths), arm.center, slides=arm.slides)
 
 
@@ -85,16 +82,28 @@ def _shell(problem: Problem, arm: SwungArm) -> Region:
     offset, side = problem.readable(arm.offset), problem.readable(arm.side)
     if offset != ZERO:
         whole = _aside(_sum(problem, (arm.offset, *arm.lengths)), side)
-        return Region("torus", lengths, _difference(problem, arm.lengths), whole, arm.center, offset, side)
-    near = _aside(_difference(problem, arm.lengths), side)
+        return Region("torus", lengths, _folded(problem, arm.lengths), whole, arm.center, offset, side)
+    near = _aside(_folded(problem, arm.lengths), side)
     far = _aside(_sum(problem, arm.lengths), side)
     return Region("swung", lengths, near, far, arm.center, offset, side)
 
 
+def _folded(problem: Problem, lengths: tuple[Scalar, ...]) -> tuple[Expr, ...]:
+    """How near two links or more come to where they begin."""
+    if len(lengths) == 2:
+        return _difference(problem, lengths)
+    return _holes(problem, _overreach(problem, lengths))
+
+
 def _aside(distance: tuple[Expr, ...], side: Expr) -> tuple[Expr, ...]:
-    """The same distance to a point that lies to the side of it."""
+    """The same distance to a point that lies to the side of it. Raises NotDerivable where it depends on
+    lengths whether there is one."""
     if side == ZERO:
         return distance
+    if isinstance(distance[-1], Call) and distance[-1].function == "max":
+        raise NotDerivable(
+            "give the lengths of the links in numbers: whether there is a hole depends on them"
+        )
     return (side,) if distance[-1] == ZERO else (sqrt(_bare(distance[-1]) ** 2 + side**2),)
 
 
@@ -152,9 +161,7 @@ def secondary(problem: Problem, region: Region) -> Secondary:
     *others, last = region.lengths
     far = problem.readable(normal(add(*others) - last))
     scalars = tuple(map(normal, others))
-    chain = (
-        _difference(problem, scalars) if len(others) == 2 else _holes(problem, _overreach(problem, scalars))
-    )
+    chain = _folded(problem, scalars)
     gap = chain[-1]  # the radius of the hole in the workspace of these links
     return Secondary(far=far, gap=gap, inside=Call("abs", (Symbol("r") - last,)))
 

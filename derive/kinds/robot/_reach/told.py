@@ -11,15 +11,14 @@ R_MIN, R, R_MAX = Symbol("r_min"), Symbol("r"), Symbol("r_max")
 
 
 def arm_told(region: Region, pair: tuple[int, ...]) -> Phrase:
-    """How it is built; `pair` are the joints of the two links that move in a plane."""
+    """How it is built; `pair` are the joints of the links that move in a plane."""
     about: dict[str, Said] = {"lengths": region.lengths}
     if region.kind == "planar":
         if len(region.lengths) == 1:
             return Phrase("single-link-sliding" if region.slides else "single-link", about)
         about["hole"] = Phrase("hole-of-two" if len(region.lengths) == 2 else "hole-of-more")
         return Phrase("parallel-axes-sliding" if region.slides else "parallel-axes", about)
-    inner, outer = pair
-    about |= {"pair": (inner, outer), "offset": region.offset, "side": region.side}
+    about |= {"pair": pair, "offset": region.offset, "side": region.side}
     if region.kind == "swung":
         return Phrase("swung" if region.side == ZERO else "swung-aside", about)
     return Phrase("torus" if region.side == ZERO else "torus-aside", about)
@@ -74,6 +73,8 @@ def orientations_told(
         if lengths := equal_lengths(region):
             return Phrase("two-orientations-or-the-base", {"equal": Relation(lengths[0], "=", lengths[1])})
         return Phrase("the-base-alone" if closed else "two-orientations")
+    if len(region.lengths) > 2:
+        return Phrase("no-wrist" if spare else "too-few-joints")
     return Phrase("no-wrist" if spare else "no-joint-left")
 
 
