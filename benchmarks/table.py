@@ -10,7 +10,7 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING
 
 from benchmarks.cases import Case
-from benchmarks.commands import Command
+from benchmarks.commands import Command, faster
 from benchmarks.peers import Peer
 from benchmarks.race import Cell
 
@@ -72,11 +72,18 @@ def page(results: Results, note: str) -> str:
             ("", "derive", "aim"),
             [(c.title, *_command_texts(c, ratio)) for c, ratio in results.commands.items()],
         ),
+        *_processes(results),
         "## Truths",
         "Their share of the time in which all exercises are built to Markdown, by samples of where it goes.",
         _rows(("", "share"), _with_sum(results.truths)),
     ]
     return "\n\n".join(parts) + "\n"
+
+
+def _processes(results: Results) -> list[str]:
+    """What several processes gain."""
+    found = faster(results.commands)
+    return [f"Two processes are {figure(found)} times as fast as one."] if found else []
 
 
 def _with_sum(truths: Mapping[str, float]) -> list[tuple[str, str]]:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from derive.door.subjects import Subject
     from derive.errors import SheetErrors as DeriveError
 
+__version__ = "0.1.0"
 __all__ = ["Answer", "DeriveError", "Sheet", "Subject", "load", "loads"]
 HOMES = {
     "Answer": "derive.door.answers", "Sheet": "derive.door.sheets", "load": "derive.door.sheets",

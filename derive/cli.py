@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.core import ParameterSource
 
+from derive import __version__
 from derive.errors import NotAllWritten, SheetErrors
 from derive.messages import guarded, page, progress, report, say, warn
 
@@ -42,7 +43,7 @@ class _Commands(click.Group):
 
 
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})
-@click.version_option(package_name="derive-sheets", prog_name="derive")
+@click.version_option(__version__, prog_name="derive")
 def main() -> None:
     """Turn exercise sheets in YAML into worked, verified solution sheets.
 

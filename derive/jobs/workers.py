@@ -24,7 +24,7 @@ sys.path[:] = pickle.load(asked)
 from derive.jobs.worker import serve
 serve(asked)
 """
-LARGE = 300_000_000  # bytes; a process that has held so many is let go after its sheet
+LARGE = 160_000_000  # bytes; a process that has held so many is let go after its sheet
 OFTEN = 0.5  # seconds after which Ctrl-C is looked for, where nothing else happens
 DOING = {"read": "reading the sheets", "build": "building the sheets"}
 Event: TypeAlias = tuple[Task, Outcome | BaseException | None]
