@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping
+from itertools import islice
+from typing import Any
 
 from derive.algebra.numbers.floats import number
 from derive.expression import Expr, free_symbols
@@ -20,18 +22,39 @@ MOST_TRIES = 60
 
 def physical_points(oracle: Oracle, names: frozenset[str], count: int) -> Iterator[dict[str, float]]:
     """At most `count` values of the names for which each body is possible; none where one never is."""
-    bodies = [link.body for link in oracle.robot.links if link.body]
+    bodies = _bodies(oracle)
+    drawn = (
+        point
+        for point in islice(_drawn(bodies, names), MOST_TRIES)
+        if all(_possible(body, oracle.at(point)) for body in bodies)
+    )
+    yield from islice(drawn, count)
+
+
+def impossible(oracle: Oracle, names: frozenset[str], count: int) -> Iterator[bool]:
+    """Whether, at so many values of the names, no mass distribution has the mass and moments of some body:
+    the covariance of a body's mass, half the trace of its inertia less this, has no negative direction
+    (Wensing, Kim and Slotine, 2018)."""
+    import numpy as np
+
+    bodies = _bodies(oracle)
+    for point in islice(_drawn(bodies, names), count):
+        whole = oracle.at(point)
+        inertias = [_inertia(body, whole) for body in bodies]
+        spreads = [np.trace(each) / 2 * np.eye(3) - each for each in inertias if each is not None]
+        masses = (number(body.mass, whole) for body in bodies)
+        yield min(masses) < 0 or any(np.linalg.eigvalsh(each).min() < 0 for each in spreads)
+
+
+def _bodies(oracle: Oracle) -> list[Body]:
+    return [link.body for link in oracle.robot.links if link.body]
+
+
+def _drawn(bodies: list[Body], names: frozenset[str]) -> Iterator[dict[str, float]]:
     ranges = _ranges(bodies)
     draw = random.Random(" ".join(sorted(names)))
-    found = 0
-    for _ in range(MOST_TRIES):
-        point = {name: draw.uniform(*ranges.get(name, ANY)) for name in sorted(names)}
-        whole = oracle.at(point)
-        if all(_possible(body, whole) for body in bodies):
-            yield point
-            found += 1
-            if found == count:
-                return
+    while True:
+        yield {name: draw.uniform(*ranges.get(name, ANY)) for name in sorted(names)}
 
 
 def _ranges(bodies: list[Body]) -> Mapping[str, Range]:
@@ -51,8 +74,15 @@ def _possible(body: Body, point: Mapping[str, float]) -> bool:
 
     if number(body.mass, point) < 0:
         return False
+    inertia = _inertia(body, point)
+    return inertia is None or bool(np.linalg.eigvalsh(inertia).min() >= -1e-12)
+
+
+def _inertia(body: Body, point: Mapping[str, float]) -> Any:
+    """That about the com; None where it is not told about the com."""
+    import numpy as np
+
     if body.com == "center" and body.about == "origin":
-        return True
+        return None
     xx, yy, zz, xy, yz, xz = (number(part, point) for part in moments(body))
-    inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    return bool(np.linalg.eigvalsh(inertia).min() >= -1e-12)
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])

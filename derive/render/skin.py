@@ -23,6 +23,7 @@ from jinja2 import (
 )
 from jinja2.runtime import Context
 
+from derive.errors import NotAsWritten
 from derive.render.formulas import Formulas
 from derive.render.layout import Display
 from derive.render.plain_text import typographic, typst_string
@@ -226,6 +227,8 @@ class Skin:
         return self._macro("items", list(texts))
 
     def table(self, headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+        if any(len(row) != len(headings) for row in rows):
+            raise NotAsWritten("a row of a table has more cells than headings, or fewer")
         return self._macro("table", headings, rows)
 
     def figure(self, path: str, caption: str = "", alt: str = "", solution: bool = False) -> str:

@@ -21,7 +21,7 @@ from derive.kinds.robot._efforts import efforts
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import time_derivative
 from derive.mechanics.robot import Robot
-from derive.mechanics.sampled import physical_points
+from derive.mechanics.sampled import impossible, physical_points
 from derive.names import entry_symbol, require_free
 
 NEEDS = ("bodies",)
@@ -55,6 +55,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = by_index(work.law("skew-symmetric", printed == -printed.T), results)
     if values:
         work = work.claim(route("minors", (not _negative(each) for each in values)))
+    else:
+        work = work.claim(route("impossible", impossible(arm.rigid, problem.symbols, POINTS)))
     told = work if arm.long or not all(map(_positive, values)) else minors(work.knowing(_entries(D)), D)
     signs = [is_positive(step.result, arm.variables) for step in told.steps if step.rule == "minor"]
     shown = bool(signs) and all(signs)

@@ -9,7 +9,7 @@ from derive.control.oracle.growth import degree
 from derive.derivation import Claim, Phrase, Step
 from derive.expression import ONE, Expr, Product, Quotient, Relation, Symbol, free_symbols
 from derive.kinds.checks import route
-from derive.kinds.fields import TREES
+from derive.kinds.fields import TREES, OptionsModel
 from derive.kinds.system._drift import DriftAtPoint, is_drift, is_drift_there
 from derive.kinds.system._oracle import Held, Point, names_inside, reals
 from derive.kinds.system._transfer_facts import Facts, Told
@@ -17,15 +17,16 @@ from derive.kinds.system._transfer_facts import Facts, Told
 WAYS = (("given-directly", "solve"), ("put-into", "solve-and-put"))  # with nothing put in, and with something
 LAST = (("left", "only-one"), ("left-put",))
 NEARLY = 1e-9
+NAME = "transfer-function"
 
 
-def said(held: Held, told: Facts, steps: Sequence[Step], G: Expr) -> Claim:
-    """Degree, proper or not, integrating or not; which inputs and which signals."""
+def said(held: Held, told: Facts, steps: Sequence[Step], G: Expr, asked: OptionsModel) -> Claim:
+    """Degree, proper or not, integrating or not; which inputs and signals; where the equations are."""
     system, ends = held.system, {"input": held.source, "output": held.system.output}
     done = [step for step in steps if step.rule == "elimination"]
     motors = [each for each in ("armature", "field") if each in system.motor]
     plain = [
-        told.described == Phrase(motors[0] if motors else "a-system") or _asked_before(held, told.described),
+        told.described == Phrase(motors[0] if motors else "a-system") or _asked_before(held, told, asked),
         told.start == (Phrase("from-the-output", ends) if done else None),
         (told.input, told.output) == (held.source, system.output),
         *(_zero(held, step) for step in steps if step.rule == "superposition"),
@@ -34,11 +35,12 @@ def said(held: Held, told: Facts, steps: Sequence[Step], G: Expr) -> Claim:
     return route("as-said", [*plain, *held.compared(lambda at: _degrees(held, told, steps, G, at))])
 
 
-def _asked_before(held: Held, described: Phrase) -> bool:
-    """Whether the question that is said to have the equations already is about another transfer function."""
-    kinds = [kind for kind, _ in held.problem.questions]
-    number = described.about.get("number")
-    return isinstance(number, int) and kinds[number - 1] == "transfer-function" in kinds[number:]
+def _asked_before(held: Held, told: Facts, asked: OptionsModel) -> bool:
+    """Whether the question that is said to have the equations already stands before the one that is asked."""
+    number = told.described.about.get("number")
+    kinds = {k: (kind, each == asked) for k, (kind, each) in enumerate(held.problem.questions, 1)}
+    own = [k for k, each in kinds.items() if each == (NAME, True)]
+    return isinstance(number, int) and kinds[number] == (NAME, False) and number < min(own, default=0)
 
 
 def _zero(held: Held, step: Step) -> bool:

@@ -78,7 +78,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         as_printed("in-complex-numbers", held, G),
         *motor_claims(held),
         eliminations(held, work.steps),
-        said(held, told, work.steps, G),
+        said(held, told, work.steps, G, options),
         *drift_claims(replace(held, given=dict(options.evaluate or ())), told.at, work.steps),
         *point_claims(replace(held, given=dict(options.evaluate or ())), evaluated, "G", told.at),
     )

@@ -108,6 +108,7 @@ class Checks:
         yield len(self.roots) == len(self._entries)
         for each, x in zip(self._entries, self.roots, strict=False):
             here = math.tan(each[self.told.unknown.name] / 2)
+            yield close(arrays(self.told.half.result, each), here, NEAR)
             yield close(each.get(u, here), here, NEAR)
             apart = abs(math.remainder(2 * (math.atan(x) - math.atan(here)), math.tau))
             yield apart < (BESIDE if self.told.beside else NEAR)

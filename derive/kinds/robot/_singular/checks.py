@@ -168,6 +168,9 @@ class Checked:
             yield from (close(each, J, DIFFERENCES) for each in printed)
             yield from (bool(np.abs(J @ N).max() <= size * max(1.0, np.abs(N).max())) for N in null)
             yield from (bool(np.abs(U.T @ J).max() <= size * max(1.0, np.abs(U).max())) for U in lost)
+            rows, columns = J.shape
+            yield from (rank_at(N) == N.shape[1] == columns - case.rank for N in null)
+            yield from (rank_at(U) == U.shape[1] == rows - case.rank for U in lost)
             moved = [{**here, **dict(zip(block.rows, map(float, column), strict=True))} for column in J.T]
             sums = (numeric.number(each[0], there) for each in case.satisfied for there in moved)
             yield from (abs(each) <= size for each in sums)
