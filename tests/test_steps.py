@@ -65,3 +65,29 @@ def test_only_three_are_known(tmp_path: Path) -> None:
 
     with pytest.raises(SheetErrors):
         page(tmp_path, "steps: some")
+
+
+ARM = Path("exercises/robots/ur5.yaml")
+
+
+def of_six_joints(tmp_path: Path, questions: str, steps: Steps) -> str:
+    (tmp_path / ARM.name).write_text(ARM.read_text())
+    sheet = tmp_path / "six.yaml"
+    sheet.write_text(f"title: Six joints\nproblems:\n- robot: {ARM.name}\n  questions:\n{questions}")
+    (text,) = build([sheet], ["md"], None, steps=steps)
+    return str(text)
+
+
+def test_a_key_has_all_that_its_answers_are_made_of(tmp_path: Path) -> None:
+    text = of_six_joints(tmp_path, "  - {find: jacobian}\n  - {find: singularities}\n", "key")
+    assert all(f"J_{k} &=" in text or f"J_{k} =" in text for k in range(1, 7)) and "\\times" not in text
+    assert "**Case 3.**" in text and "rank 4" in text and "j_{12}" not in text
+
+
+def test_a_pose_is_written_out_where_it_is_read(tmp_path: Path) -> None:
+    inverse, angles = (
+        "  - {find: inverse-kinematics, given: pose}\n",
+        "  - {find: euler-angles, convention: ZYZ}\n",
+    )
+    assert "t_{11} &=" not in of_six_joints(tmp_path, inverse, "full")
+    assert "t_{11} &=" in of_six_joints(tmp_path, inverse + angles, "full")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from derive.derivation import Step
@@ -27,19 +28,35 @@ class Displays(ToldSoFar):
         """The same as `show` for what was asked, which stands in a frame."""
         return self.show(*names, trig=trig, entries=entries, lines=lines, answer=True)
 
+    def result(self, caller: Callable[[], str], end: str = "") -> str:
+        """What words say of the answer without a frame, between `{% call result() %}` and `{% endcall %}`: a
+        key to the sheet has it too, there with this `end`."""
+        first = len(self.printed)
+        written = caller()
+        if self.asked:
+            self.answered.append(f"{written.rstrip()}{end}\n\n")
+            self.kept.extend(self.printed[first:])
+        return written
+
     def show(
-        self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2, answer: bool = False
+        self,
+        *names: Shown,
+        trig: Trig = None,
+        entries: str = "",
+        lines: int = 2,
+        answer: bool = False,
+        brief: bool = False,
     ) -> str:
         """A displayed equation of one or several steps (or bare chains), side by side where they fit.
 
         Long entries of a matrix too wide for the page are named, and listed after it; `entries` are words to
         stand before the list, and then no matrix is wider than a line. A spare link is left out where it
-        takes more than so many `lines`.
+        takes more than so many `lines`. In a key what is `brief` has its values alone.
         """
         printer, widest = self._printer(trig), LINE if entries else NAMED_BEYOND
         boxed = answer and self.asked
         whole = [self._chain(name, printer, lines) for name in names]
-        if boxed and self.level == "answers":
+        if (boxed and self.level == "answers") or (brief and self.level != "full"):
             whole = [(chain[0], chain[-1]) if len(chain) > 1 else chain for chain in whole]
         parts = [
             with_named_entries(chain, printer, widest, self._entries(name))

@@ -112,8 +112,8 @@ class Telling(Displays):
         return {
             "d": self.d, "step": self.d.step, "steps": self.steps, "facts": self.d.facts,
             "angular_first": self.notation.angular_first,
-            "show": self.show, "answer": self.answer, "inline": self.inline, "tell": self.tell,
-            "table": self.table,
+            "show": self.show, "answer": self.answer, "result": self.result,
+            "inline": self.inline, "tell": self.tell, "table": self.table,
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
             "say": self.say, "each": self.each, "cut": self.cut, "whole": self.whole, "fits": self.fits,

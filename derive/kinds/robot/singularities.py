@@ -11,6 +11,7 @@ from derive.expression import free_symbols
 from derive.figures.singular_poses import drawn
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import LINKS_ALONE
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.by_poses import center_seen, of_arm
 from derive.kinds.robot._singular.checks import Checked
@@ -65,7 +66,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     }
     work = way.work.claim(*Checked(J, way, sets, solutions, facts.sets).claims())
     work = work.claim(*center_seen(task, way, J), *at_special_lengths(J, sets, lengths))
-    return work.answer("singularities", results, facts, plots=_drawn(task, sets))
+    return work.answer("singularities", results, facts, plots=_drawn(task, sets), unread=LINKS_ALONE)
 
 
 def _drawn(task: Task, sets: Sequence[Analysed]) -> tuple[Drawing, ...]:
