@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from derive.algebra.formulas.with_units import measured
 from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Phrase
@@ -12,7 +13,7 @@ from derive.expression import ZERO, Symbol
 from derive.kinds.fields import TREES
 from derive.kinds.robot._dynamics.drives import moving
 from derive.mechanics.oracle import Oracle
-from derive.mechanics.robot import Robot
+from derive.mechanics.robot import Link, Robot
 
 CREEPING = 1e-6  # a rate at which a joint rubs, and next to nothing else happens
 NEARLY = 1e-4  # of what it then takes
@@ -23,11 +24,22 @@ def held_by_friction(robot: Robot) -> tuple[Phrase, ...]:
     return tuple(
         Phrase(
             "dry-friction",
-            {"k": k, "limit": link.friction.coulomb, "tau": Symbol(f"tau_{k}"), "g": Symbol(f"g_{k}")},
+            {
+                "k": k,
+                "limit": measured(link.friction.coulomb),
+                "effort": _effort(link),
+                "tau": Symbol(f"tau_{k}"),
+                "g": Symbol(f"g_{k}"),
+            },
         )
         for k, link in enumerate(moving(robot), 1)
         if link.friction is not None and link.friction.coulomb != ZERO
     )
+
+
+def _effort(link: Link) -> Phrase:
+    """What moves a joint."""
+    return Phrase("torque" if link.joint == "revolute" else "force")
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,13 +54,12 @@ class Rubbing:
         and the share of gravity are."""
         by_joint = {said.about["k"]: said.about for said in self.told}
         rows = []
-        for k in range(1, len(self.arm.robot.variables) + 1):
+        for k, link in enumerate(moving(self.arm.robot), 1):
             about = by_joint.get(k, {})
             limit = about.get("limit", ZERO)
             size = value_of(limit, self.arm.at(at)) if isinstance(limit, TREES) else 0.0
-            rows.append(
-                (size, -size, *(about.get(name) in (None, Symbol(f"{name}_{k}")) for name in ("tau", "g")))
-            )
+            named = (about.get(name) in (None, Symbol(f"{name}_{k}")) for name in ("tau", "g"))
+            rows.append((size, -size, *named, about.get("effort") in (None, _effort(link))))
         return [*rows, (len(by_joint),)]
 
     def as_it_moves(self, at: Point) -> list[tuple[float, ...]]:
@@ -61,5 +72,5 @@ class Rubbing:
                 float((self.arm.torques({**at, **still, f"{name}_dot": rate}) - rest)[k])
                 for rate in (CREEPING, -CREEPING)
             )
-            rows.append((onward, back, True, True))
+            rows.append((onward, back, True, True, True))
         return [*rows, (len(self.told),)]
