@@ -28,6 +28,7 @@ SAID = {  # words of the language for which pages say others
     "natural": "natural|accelerations at the ends", "ZYX": "ZYX|yaw|x.*y.*z", "XYZ": "XYZ|x.*y.*z",
     "ZYZ": "ZYZ|z.*y", "revolute": "revolute|pin", "prismatic": "prismatic|slid", "P": "proportional|P ",
     "quintic": "quintic|degree five", "cycloidal": "cycloid", "bang": "shortest time|at least",
+    "euler": "Euler angles", "angles": "angles", "slerp": "unit quaternions", "axis": "one axis",
     "UPS": "universal.*(prismatic|slider).*spherical", "SPS": "spherical.*(prismatic|slider).*spherical",
 }  # fmt: skip
 SAME = re.compile(

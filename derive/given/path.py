@@ -8,17 +8,21 @@ from derive.algebra.formulas.with_units import measured
 from derive.derivation import Phrase, Said, Table
 from derive.expression import ONE, PI, Symbol, column, multiply, number
 from derive.given.datum import Datum, vector
+from derive.given.moves import moves_said
 from derive.kinds.path._naming import place_name
 from derive.kinds.problem import Problem
-from derive.mechanics.paths import Arc, Curve, Line, Path, Via
+from derive.mechanics.paths import Arc, Curve, Line, Path, Turned, Via
 
 LAWS = {"cubic": "cubic", "quintic": "quintic|fifth|degree five", "trapezoidal": "trapez"}
+WORDS = {"axis-angle": "one axis", "slerp": "quaternion|slerp", "euler-angles": "angles"}
 FULL = multiply(number(2), PI)
 
 
 def data(path: Path, problem: Problem) -> Iterator[Datum]:
     """A sentence of the shape, of a function its formula; then how it goes along it in time."""
     yield from _shape(path, problem)
+    if path.turned is not None:
+        yield from _turned(path.turned)
     if path.timing is not None:
         yield Datum(Phrase(path.timing.law), words=("rest", LAWS[path.timing.law]))
         for key in ("time", "v_max", "a_max"):
@@ -51,6 +55,19 @@ def _shape(path: Path, problem: Problem) -> Iterator[Datum]:
             yield from _via(via)
 
 
+def _turned(turned: Turned) -> Iterator[Datum]:
+    """Both orientations, and the way from one to the other."""
+    for key, end in (("start", turned.start), ("end", turned.end)):
+        if end.angles is not None:
+            about: dict[str, Said] = {"angles": column(end.angles), "order": turned.convention}
+            yield Datum(Phrase(f"{key}-angles", about), words=(turned.convention,))
+        elif end.matrix is not None:
+            yield Datum(Phrase(f"{key}-matrix"), equations=((end.matrix,),))
+        else:
+            yield Datum(Phrase(f"{key}-moves"), items=(*moves_said(end.moves),))
+    yield Datum(Phrase(turned.by), words=(WORDS[turned.by],))
+
+
 def _via(via: Via) -> Iterator[Datum]:
     rows = tuple((time, *place) for time, place in zip(via.times, via.places, strict=True))
     yield Datum(Phrase("via"), table=Table((Symbol("t"), *map(Symbol, "xyz"[: len(rows[0]) - 1])), rows))
@@ -63,7 +80,7 @@ def _arc(arc: Arc) -> Iterator[Datum]:
         yield Datum(Phrase("radius", {"r": measured(arc.radius)}))
     if arc.axis is not None:
         axis: Said = Symbol(arc.axis) if isinstance(arc.axis, str) else column(arc.axis)
-        yield Datum(Phrase("axis" if isinstance(arc.axis, str) else "axis-along", {"axis": axis}))
+        yield Datum(Phrase("its-axis" if isinstance(arc.axis, str) else "axis-along", {"axis": axis}))
     yield Datum(Phrase("starts-at" if arc.placed else "starts-towards", {"start": vector(arc.start)}))
     if arc.pitch is not None:
         yield Datum(Phrase("pitch", {"pitch": measured(arc.pitch)}))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from derive.expression import Expr, Matrix
-from derive.mechanics.motion import Axis
+from derive.mechanics.motion import Axis, Move
 from derive.mechanics.robot import Robot
 
 Place: TypeAlias = tuple[Expr, ...]  # two coordinates or three
@@ -73,11 +73,32 @@ class Timing:
 
 
 @dataclass(frozen=True, slots=True)
+class Oriented:
+    """An orientation: by moves or by a matrix; `angles` where it was given by those of a convention."""
+
+    moves: tuple[Move, ...] = ()
+    matrix: Matrix | None = None
+    angles: tuple[Expr, Expr, Expr] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Turned:
+    """How a body turns while it goes along a path: from one orientation to another, in proportion to the
+    parameter."""
+
+    start: Oriented
+    end: Oriented
+    by: Literal["axis-angle", "euler-angles", "slerp"]
+    convention: str
+
+
+@dataclass(frozen=True, slots=True)
 class Path:
-    """A path of a point, and how it goes along it in time, if that is given."""
+    """A path of a point, how it goes along it in time, and how a body turns meanwhile, if these are given."""
 
     shape: Shape
     timing: Timing | None = None
+    turned: Turned | None = None
 
     @property
     def along(self) -> bool:

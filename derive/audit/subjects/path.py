@@ -14,6 +14,7 @@ from derive.audit.laws import law
 from derive.audit.points import ROUNDED, Number, Point, Value, agree, shown
 from derive.audit.poses import UNIT, turned
 from derive.audit.splines import spline
+from derive.audit.turned_along import turning
 from derive.expression import Expr, free_symbols
 from derive.mechanics.paths import Arc, Curve, Line, Shape, Via
 
@@ -40,6 +41,8 @@ def path(asked: Asked, point: Point) -> Iterator[Test]:
         yield Same("a", a_now)
     else:
         yield from _in_time(asked, point.in_digits(), p, s, between, speed)
+    if asked.subject.turned is not None:
+        yield from _turned(asked, point.in_digits(), s, between, speed)
     if "n" not in asked.results:
         bent = sum(point.at((each / speed).diff(s)) ** 2 for each in v)
         yield Holds("curvature", agree(bent, 0), "it is bent, and has a normal")
@@ -87,6 +90,24 @@ def _in_time(
         now = point.where(t=time)
         for name, value in theirs.items():
             yield Holds(name, _near(now.each(asked.result(name)), value), f"it is {shown(value)}")
+
+
+def _turned(
+    asked: Asked, point: Point, s: sympy.Symbol, between: Between, speed: sympy.Expr
+) -> Iterator[Test]:
+    """The orientation at moments, or at values of the parameter where no law of time is given."""
+    low, high = (point.at(each) for each in between or (sympy.Integer(0), sympy.Integer(1)))
+    if asked.subject.timing is None:
+        for share in SHARES:
+            when = low + share * (high - low)
+            now = point.where(**{s.name: when})
+            yield from turning(asked, point, when, now, lambda at: (at - low) / (high - low), False)
+        return
+    moved = law(asked, point, low, high, point.at(speed) if asked.subject.along else mpmath.mpf(1))
+    for share in SHARES:
+        when = moved.whole * share
+        now = point.where(t=when)
+        yield from turning(asked, point, when, now, lambda at: (moved.at(at)[0] - low) / (high - low), True)
 
 
 def _near(ours: Value, theirs: Value) -> bool:

@@ -23,6 +23,8 @@ from derive.kinds.path._shapes import along
 from derive.kinds.path._spline import SplineTold, splined
 from derive.kinds.path._timing import T
 from derive.kinds.path._told import given_names, shape_told
+from derive.kinds.path._turning.course import Part
+from derive.kinds.path._turning.told import turning
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import Here, point_of, values_at
 from derive.kinds.work import Work
@@ -30,6 +32,7 @@ from derive.mechanics.paths import Curve, Path, Via
 
 TIMED = ("p", "v", "a", "curvature", "t", "n", "b", "s", "time")
 CLAIMED = dict.fromkeys(TIMED, "timed|all-conditions") | {"length": "all-conditions"}
+CLAIMED |= dict.fromkeys(("R", "angle", "axis", "q", "angles", "omega", "alpha"), "turns")
 BENT = ("n", "b")  # what a path has only where it bends
 DIFFERENCES, STRAIGHT = 1e-6, 1e-9
 LENGTHS = {"steady": "length-steady", "integral": "length-integral", "quadrature": "length-quadrature"}
@@ -68,6 +71,7 @@ class Facts(PageFacts):
     curve: CurveTold | None = None
     spline: SplineTold | None = None
     motion: Motion | None = None
+    turning: tuple[Part, ...] = ()
     pictures: tuple[str, ...] = ()
 
 
@@ -75,7 +79,8 @@ def claims_of(path: Path, options: Options) -> tuple[str, ...]:
     """The keys of what is claimed; of a motion that too."""
     if isinstance(path.shape, Via):
         return ("passes-every-point", "is-smooth", "all-conditions")
-    return ("differences", "unit", "frenet", *(("timed",) if path.timing else ()))
+    more = ("timed",) * (path.timing is not None) + ("turns",) * (path.turned is not None)
+    return ("differences", "unit", "frenet", *more)
 
 
 def derive(path: Path, options: Options, problem: Problem) -> Derivation:
@@ -99,6 +104,12 @@ def derive(path: Path, options: Options, problem: Problem) -> Derivation:
         by_parameter = _results(moved.work, found, (way.p, *moved.rates), long.way)
         work, results, motion = moved.finished(by_parameter)
         facts = replace(facts, motion=motion, page_names=moved.on_page)
+    if path.turned is not None:
+        body = turning(work, path.turned, found, None if path.timing is None else moved.time)
+        work, results = body.work, {**results, **body.results}
+        on_page = {**facts.page_names, **body.way.page_names}
+        facts = replace(facts, turning=body.way.parts, page_names=on_page)
+        facts = replace(facts, angle_results=("angle", "angles"), style=problem.style)
     pictures = tuple(drawn(work, found, results))
     facts = replace(facts, pictures=tuple(each.name for each in pictures))
     return _evaluated(work.answer("path", results, facts, plots=pictures), options, problem)

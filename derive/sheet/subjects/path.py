@@ -16,6 +16,7 @@ from derive.mechanics.paths import Arc, Curve, Line, Path, Place, Shape, Timing,
 from derive.sheet.faults import NO_FORM, did_you_mean
 from derive.sheet.source import At, Faults, Route
 from derive.sheet.subjects.moves import AxisField
+from derive.sheet.subjects.orientation import GivenOrientation, turned
 from derive.sheet.subjects.registry import Known
 
 FORMS = (
@@ -28,6 +29,7 @@ HARMLESS = frozenset(  # each of them makes the path
         "parameter",
         "range",
         "timing",
+        "orientation",
         "ends",
         *(f"circle.{each}" for each in CIRCLE),
         *(f"helix.{each}" for each in HELIX),
@@ -95,10 +97,12 @@ class GivenTiming(OptionsModel):
 
 
 class Timed(OptionsModel):
-    """How the point moves along the path, if that is asked too."""
+    """How the point moves along the path, and how a body turns meanwhile, if that is asked too."""
 
     timing: GivenTiming | None = None
     """How the point moves along the path, if that is asked too."""
+    orientation: GivenOrientation | None = None
+    """How a body turns meanwhile, if that is asked too."""
 
 
 class OfLine(Timed):
@@ -163,11 +167,17 @@ def build(given: Given, at: At, known: Known) -> Path:
     """The path. Raises SheetErrors: a line of no length, a start beside the circle, no parameter, a law of
     time that its sizes do not make."""
     shape = _shape(given, at, known)
-    if isinstance(given, OfVia) or given.timing is None:
+    if isinstance(given, OfVia):
         return Path(shape)
+    oriented = None if given.orientation is None else turned(given.orientation, at / "orientation", known)
+    if oriented is not None and isinstance(shape, Curve) and shape.between is None:
+        hint = "add range: [from, to]"
+        raise at.error("where it begins and ends to turn is not given", ("function",), hint)
+    if given.timing is None:
+        return Path(shape, None, oriented)
     Faults(_timing_faults(given.timing, shape, at, known)).settle()
     timing = given.timing
-    return Path(shape, Timing(timing.law, timing.time, timing.v_max, timing.a_max))
+    return Path(shape, Timing(timing.law, timing.time, timing.v_max, timing.a_max), oriented)
 
 
 def _shape(given: Given, at: At, known: Known) -> Shape:

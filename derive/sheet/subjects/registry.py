@@ -13,7 +13,7 @@ from derive.algebra.signs import sign_of
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
 
-NOT_SUBJECTS = frozenset({"__init__", "registry", "moves", "link", "screws", "quaternions"})
+NOT_SUBJECTS = frozenset({"__init__", "registry", "moves", "link", "screws", "quaternions", "orientation"})
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,6 +16,8 @@ from derive.kinds.robot._carried.coordinates import Coordinates, coordinates_of
 from derive.kinds.values_at import point_of
 from derive.mechanics.paths import Carried, Path
 
+TURNED = "joints that follow an orientation in space are not derived yet; leave orientation out"
+
 
 @dataclass(frozen=True)
 class Setting:
@@ -74,6 +76,8 @@ class Setting:
 
 def setting_of(problem: Problem, path: Path, start: Place, evaluate: Place | None) -> Setting:
     """Raises NotDerivable where the path has no timing, or is not one for this arm."""
+    if path.turned is not None:
+        raise NotDerivable(TURNED, "path")
     both = Problem(
         problem.name, Carried(path, problem.subject), problem.where, problem.assumptions,
         angles=problem.angles, points=tuple(_trees(problem, start)),
