@@ -21,6 +21,7 @@ from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach import drawn, sampled
+from derive.kinds.robot._reach.by_section import by_section, cut
 from derive.kinds.robot._reach.checks import Reached
 from derive.kinds.robot._reach.dexterous import described, rings, rings_within, with_unit
 from derive.kinds.robot._reach.every_way import dexterous
@@ -36,9 +37,8 @@ from derive.kinds.robot._reach.regions import (
     region_of,
     secondary,
 )
-from derive.kinds.robot._reach.sections import InSectionOf, orientations_held
+from derive.kinds.robot._reach.sections import orientations_held
 from derive.kinds.robot._reach.shapes import Shape
-from derive.kinds.robot._reach.spheres import OnTwoAxes
 from derive.kinds.robot._reach.told import (
     R_MAX,
     R_MIN,
@@ -56,7 +56,6 @@ from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.reach import moving_joints, planar_arm, swung_arm, turns_freely
 from derive.mechanics.robot import Robot
-from derive.mechanics.section import Section, on_sphere, section
 from derive.names import free
 
 NOTHING, NEARLY = 1e-9, 1e-3  # of a hole, and of the corners of a circle
@@ -104,10 +103,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     shape = _limited(problem, found, point)
     if shape:
         return _within(problem, found, point, shape, options)
-    if (cut := _cut(found, point)) is not None:
-        if (sphere := on_sphere(found, cut, point.position)) is not None:
-            return OnTwoAxes(problem, found, point, cut, sphere).derivation()
-        return InSectionOf(problem, found, point, cut, options.evaluate or ()).derivation()
+    if (told := by_section(problem, found, point, options.evaluate)) is not None:
+        return told
     region = region_of(problem, found, point)
     r_max, r_min = final_distance(problem, region.largest[-1]), final_distance(problem, region.smallest[-1])
     steps = (
@@ -134,12 +131,6 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     return work.answer("workspace", results, facts, plots=plots)
 
 
-def _cut(found: Chain, point: Tracked) -> Section | None:
-    """The section of an arm that has no simpler shape."""
-    at = point.position, point.last
-    return None if planar_arm(found, *at) or swung_arm(found, *at) else section(found, *at)
-
-
 def _limited(problem: Problem, found: Chain, point: Tracked) -> Shape | None:
     """The shape where a joint has a range, or slides so that it matters. Raises NotDerivable where there is a
     range and no shape is known."""
@@ -150,7 +141,7 @@ def _limited(problem: Problem, found: Chain, point: Tracked) -> Shape | None:
     ):
         return None
     shape = shape_within(problem, found, point)
-    if shape is None and ranged and _cut(found, point) is None:
+    if shape is None and ranged and cut(found, point) is None:
         raise NotDerivable("the workspace within ranges of the joints of this arm is not derived yet")
     return shape
 

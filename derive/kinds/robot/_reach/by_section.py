@@ -1,0 +1,28 @@
+"""Workspaces without a simpler shape, of arms whose first joint turns: on a sphere, or by their section."""
+
+from __future__ import annotations
+
+from derive.derivation import Derivation
+from derive.kinds.fields import Place
+from derive.kinds.problem import Problem
+from derive.kinds.robot._point import Tracked
+from derive.kinds.robot._reach.sections import InSectionOf
+from derive.kinds.robot._reach.spheres import OnTwoAxes
+from derive.mechanics.chain import Chain
+from derive.mechanics.reach import planar_arm, swung_arm
+from derive.mechanics.section import Section, on_sphere, section
+
+
+def cut(found: Chain, point: Tracked) -> Section | None:
+    """The section of an arm; None where it has a simpler shape, or no section."""
+    at = point.position, point.last
+    return None if planar_arm(found, *at) or swung_arm(found, *at) else section(found, *at)
+
+
+def by_section(problem: Problem, found: Chain, point: Tracked, place: Place | None) -> Derivation | None:
+    """What it reaches. Raises NotDerivable where joints have ranges that are not honoured."""
+    if (seen := cut(found, point)) is None:
+        return None
+    if (sphere := on_sphere(found, seen, point.position)) is not None:
+        return OnTwoAxes(problem, found, point, seen, sphere).derivation()
+    return InSectionOf(problem, found, point, seen, place or ()).derivation()
