@@ -85,7 +85,8 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     work = work.line(det, rule="determinant", label="det")
     work = work.line(rates, inverse * column(AXES), rule="in-numbers", label="rates")
     middle, singular = euler.outer[1], [euler.singular(sign).middle for sign in SIGNS]
-    where = Phrase("singular-where", {"zero": Relation(det, "=", ZERO)})
+    det_T = Call("det", (Symbol("T"),))  # as the result is called
+    where = Phrase("singular-where", {"zero": Relation(det_T, "=", ZERO)})
     results: dict[str, Result] = {
         "T": work[E],
         "det": work.steps[-2].result,
