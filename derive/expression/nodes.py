@@ -1,14 +1,7 @@
-"""Mathematics as it is written: immutable trees that keep the order and the form they were given.
-
-A tree is what a page shows and what an author typed. Nothing here is evaluated, reordered or
-cancelled: `2*(a + b)` stays a product and `0.10` stays a decimal. Meaning is given elsewhere:
-`derive.algebra` brings a tree to its normal form (equality is `==` there) and finds the readable
-tree of a normal form; `derive.render` prints it.
-"""
+"""The nodes of a tree, and the operators that put them together."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as replace_fields
 from fractions import Fraction
@@ -193,20 +186,6 @@ Expr: TypeAlias = (
 Operand: TypeAlias = Tree | int
 
 
-@dataclass(frozen=True, slots=True)
-class Relation:
-    """`left sign right`, as theta2 > 0; with a relation on its left a chain, as 0 <= t <= 1."""
-
-    left: Expr | Relation
-    sign: str
-    right: Expr
-
-
-def between(low: Expr, middle: Expr, high: Expr) -> Relation:
-    """`low <= middle <= high`."""
-    return Relation(Relation(low, "<=", middle), "<=", high)
-
-
 ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
 MINUS_ONE = Number(Fraction(-1))
@@ -216,11 +195,6 @@ PI = Symbol("pi")
 def number(value: int | str | Fraction, decimal: bool = False) -> Number:
     """`number("1/2")`, `number(3)`."""
     return Number(Fraction(value), decimal)
-
-
-def symbols(names: str) -> tuple[Symbol, ...]:
-    """`a, b = symbols("a b")`."""
-    return tuple(Symbol(name) for name in names.split())
 
 
 def add(*terms: Expr) -> Expr:
@@ -274,138 +248,3 @@ def negate(expr: Expr) -> Expr:
 def with_value(expr: Number | Degrees, value: Fraction) -> Number | Degrees:
     """Another value of the same kind: a decimal stays one, an angle in degrees too."""
     return replace_fields(expr, value=value)
-
-
-def is_negative(expr: Expr) -> bool:
-    """Whether it prints with a leading minus sign."""
-    match expr:
-        case Number(value) | Degrees(value):
-            return value < 0
-        case Approximate(approximate):
-            return approximate < 0
-        case Product((first, *_)):
-            return is_negative(first)
-        case Quotient(top, _):
-            return is_negative(top)
-        case _:
-            return False
-
-
-def subtract(left: Expr, right: Expr) -> Expr:
-    """`left - right`."""
-    return add(left, negate(right))
-
-
-def squared(expr: Expr) -> Expr:
-    """`expr^2`."""
-    return Power(expr, number(2))
-
-
-def cos(angle: Expr) -> Call:
-    return Call("cos", (angle,))
-
-
-def sin(angle: Expr) -> Call:
-    return Call("sin", (angle,))
-
-
-def sqrt(expr: Expr) -> Call:
-    return Call("sqrt", (expr,))
-
-
-def atan2(y: Expr, x: Expr) -> Call:
-    """Always y first here; the notation of a sheet decides how it is printed."""
-    return Call("atan2", (y, x))
-
-
-def transpose(expr: Expr) -> Call:
-    return Call("transpose", (expr,))
-
-
-def cross(left: Expr, right: Expr) -> Call:
-    return Call("cross", (left, right))
-
-
-def column(entries: Iterable[Expr]) -> Matrix:
-    """A column vector."""
-    return Matrix(tuple((entry,) for entry in entries))
-
-
-def children(expr: Expr) -> tuple[Expr, ...]:
-    """The parts of a tree, in the order they are written."""
-    match expr:
-        case Indexed(_, lower, upper):
-            return lower + upper
-        case Sum(parts) | Product(parts) | Call(_, parts):
-            return parts
-        case Quotient(left, right) | Power(left, right):
-            return left, right
-        case Matrix(rows):
-            return tuple(entry for row in rows for entry in row)
-        case Derivative(of, by):
-            return of, by
-        case Measured(value):
-            return (value,)
-        case _:
-            return ()
-
-
-def walk(expr: Expr) -> Iterator[Expr]:
-    """Every node of a tree, parents first."""
-    pending = [expr]
-    while pending:
-        node = pending.pop()
-        yield node
-        pending.extend(reversed(children(node)))
-
-
-def rebuild(expr: Expr, change: Callable[[Expr], Expr]) -> Expr:
-    """The same node with `change` applied to each of its parts."""
-    match expr:
-        case Sum(terms):
-            return Sum(tuple(map(change, terms)))
-        case Product(factors):
-            return Product(tuple(map(change, factors)))
-        case Quotient(top, bottom):
-            return Quotient(change(top), change(bottom))
-        case Power(base, exponent):
-            return Power(change(base), change(exponent))
-        case Call(function, arguments):
-            return Call(function, tuple(map(change, arguments)))
-        case Matrix(rows):
-            return Matrix(tuple(tuple(map(change, row)) for row in rows))
-        case Derivative(of, by):
-            return Derivative(change(of), by)
-        case Measured(value, unit):
-            return Measured(change(value), unit)
-        case _:
-            return expr
-
-
-def measured(value: Expr, unit: str) -> Expr:
-    """A number, pi/4 too, with its unit; of one in degrees they are a part."""
-    if isinstance(value, Degrees):
-        unit = unit.removeprefix("deg")
-    whole = isinstance(value, Number | Degrees) or (not free_symbols(value) and _has_no_unit(value))
-    return Measured(value, unit) if unit and whole and value != ZERO else value
-
-
-def _has_no_unit(expr: Expr) -> bool:
-    return not any(isinstance(node, Matrix | Measured | Degrees | Approximate) for node in walk(expr))
-
-
-def unmeasured(expr: Expr) -> Expr:
-    """Without the units in it."""
-    return unmeasured(expr.value) if isinstance(expr, Measured) else rebuild(expr, unmeasured)
-
-
-def replace(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:
-    """The tree with each node that is a key of `values` replaced, outermost first."""
-    if expr in values:
-        return values[expr]
-    return rebuild(expr, lambda part: replace(part, values))
-
-
-def free_symbols(expr: Expr) -> frozenset[str]:
-    """The names in a tree, `pi` apart."""
-    return frozenset(node.name for node in walk(expr) if isinstance(node, Symbol) and node != PI)

@@ -1,0 +1,104 @@
+"""The parts of a tree: walked, changed, replaced, with and without units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from derive.expression.nodes import (
+    PI,
+    ZERO,
+    Approximate,
+    Call,
+    Degrees,
+    Derivative,
+    Expr,
+    Indexed,
+    Matrix,
+    Measured,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+)
+
+
+def children(expr: Expr) -> tuple[Expr, ...]:
+    """The parts of a tree, in the order they are written."""
+    match expr:
+        case Indexed(_, lower, upper):
+            return lower + upper
+        case Sum(parts) | Product(parts) | Call(_, parts):
+            return parts
+        case Quotient(left, right) | Power(left, right):
+            return left, right
+        case Matrix(rows):
+            return tuple(entry for row in rows for entry in row)
+        case Derivative(of, by):
+            return of, by
+        case Measured(value):
+            return (value,)
+        case _:
+            return ()
+
+
+def walk(expr: Expr) -> Iterator[Expr]:
+    """Every node of a tree, parents first."""
+    pending = [expr]
+    while pending:
+        node = pending.pop()
+        yield node
+        pending.extend(reversed(children(node)))
+
+
+def rebuild(expr: Expr, change: Callable[[Expr], Expr]) -> Expr:
+    """The same node with `change` applied to each of its parts."""
+    match expr:
+        case Sum(terms):
+            return Sum(tuple(map(change, terms)))
+        case Product(factors):
+            return Product(tuple(map(change, factors)))
+        case Quotient(top, bottom):
+            return Quotient(change(top), change(bottom))
+        case Power(base, exponent):
+            return Power(change(base), change(exponent))
+        case Call(function, arguments):
+            return Call(function, tuple(map(change, arguments)))
+        case Matrix(rows):
+            return Matrix(tuple(tuple(map(change, row)) for row in rows))
+        case Derivative(of, by):
+            return Derivative(change(of), by)
+        case Measured(value, unit):
+            return Measured(change(value), unit)
+        case _:
+            return expr
+
+
+def measured(value: Expr, unit: str) -> Expr:
+    """A number, pi/4 too, with its unit; of one in degrees they are a part."""
+    if isinstance(value, Degrees):
+        unit = unit.removeprefix("deg")
+    whole = isinstance(value, Number | Degrees) or (not free_symbols(value) and _has_no_unit(value))
+    return Measured(value, unit) if unit and whole and value != ZERO else value
+
+
+def _has_no_unit(expr: Expr) -> bool:
+    return not any(isinstance(node, Matrix | Measured | Degrees | Approximate) for node in walk(expr))
+
+
+def unmeasured(expr: Expr) -> Expr:
+    """Without the units in it."""
+    return unmeasured(expr.value) if isinstance(expr, Measured) else rebuild(expr, unmeasured)
+
+
+def replace(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:
+    """The tree with each node that is a key of `values` replaced, outermost first."""
+    if expr in values:
+        return values[expr]
+    return rebuild(expr, lambda part: replace(part, values))
+
+
+def free_symbols(expr: Expr) -> frozenset[str]:
+    """The names in a tree, `pi` apart."""
+    return frozenset(node.name for node in walk(expr) if isinstance(node, Symbol) and node != PI)
