@@ -139,7 +139,12 @@ def build(
     jobs: int | None,
     no_cache: bool,
 ) -> None:
-    """Build solution sheets (the default command). A directory stands for the sheets in it."""
+    """Build solution sheets (the default command). A directory stands for the sheets in it.
+
+    A sheet is left as it is where neither it and its files nor its pages, the options, the templates or the
+    program have changed since it was built. What is known of that lies in the cache folder of the user, or in
+    the one that DERIVE_CACHE names.
+    """
     target = None if output == "-" else Path(output)
     if target is None and (len(formats) > 1 or formats[0] not in ("md", "tex", "json")):
         raise click.UsageError("--output - prints one format: choose it with --format md, tex or json")

@@ -8,13 +8,11 @@ from pathlib import Path
 import pytest
 from click.shell_completion import ShellComplete
 
-from derive import __version__
 from derive import build as pipeline
 from derive.cli import main
 from derive.errors import Place, SheetError
 from derive.messages import written
 from tests.commands import SHEET, run
-from tests.sheets import ROOT
 
 
 def test_a_sheet_alone_is_built(folder: Path) -> None:
@@ -231,8 +229,3 @@ def test_schema() -> None:
     schema = json.loads(run("schema").stdout)
     assert {"title", "problems", "where"} <= schema["properties"].keys()
     assert "forward-kinematics" in json.dumps(schema)
-
-
-def test_the_version_is_that_of_the_citation() -> None:
-    assert run("--version").stdout == f"derive, version {__version__}\n"
-    assert f"version: {__version__}\n" in (ROOT / "CITATION.cff").read_text(encoding="utf-8")

@@ -26,6 +26,7 @@ serve(asked)
 """
 LARGE = 160_000_000  # bytes; a process that has held so many is let go after its sheet
 OFTEN = 0.5  # seconds after which Ctrl-C is looked for, where nothing else happens
+NAMED = 4  # sheets at work that are told
 DOING = {"read": "reading the sheets", "build": "building the sheets"}
 Event: TypeAlias = tuple[Task, Outcome | BaseException | None]
 
@@ -55,7 +56,8 @@ class Workers:
         for task, came in self._events(sorted(tasks, key=_size, reverse=True)):
             begun[task] = came
             at = [each.sheet.stem for each, ended in begun.items() if ended is None]
-            progress(f"{DOING[task.step]}, {len(begun) - len(at)} of {len(tasks)} done: {', '.join(at)}")
+            names = ", ".join(at[:NAMED] + ["..."] * (len(at) > NAMED))
+            progress(f"{DOING[task.step]}, {len(begun) - len(at)} of {len(tasks)} done: {names}")
         return [came for task in tasks if (came := begun[task])]
 
     def _events(self, tasks: Sequence[Task]) -> Iterator[tuple[Task, Outcome | None]]:
