@@ -97,7 +97,7 @@ def test_each_is_a_solution_and_newton_finds_no_other(rows: Rows, seed: int) -> 
 
 
 def test_sixteen_are_real() -> None:
-    """Manseur and Doty (1989); the pose as Manocha and Canny (1994) print it."""
+    """As many as there can be; the pose is rounded."""
     U, _, V = np.linalg.svd(PUBLISHED[:3, :3])
     pose = PUBLISHED.copy()
     pose[:3, :3] = U @ V
