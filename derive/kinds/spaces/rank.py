@@ -197,7 +197,7 @@ def _spans(work: Work, found: LinearMap, spaces: Span, names: Sequence[Symbol], 
 
     J, (m, n) = found.numbers(at), found.J.shape
     null, image, left = (
-        arrays(work[name], at) if basis else np.zeros((size, 0))
+        _unit(arrays(work[name], at)) if basis else np.zeros((size, 0))
         for name, basis, size in zip(names, (spaces.null, spaces.range, spaces.left), (n, m, m), strict=True)
     )
     if spaces.pivots:
@@ -206,6 +206,13 @@ def _spans(work: Work, found: LinearMap, spaces: Span, names: Sequence[Symbol], 
     yield close(J.T @ left, np.zeros((n, left.shape[1])), SMALL)
     yield not image.shape[1] or _rank(np.hstack([J, image])) == spaces.rank == _rank(image)
     yield all(not basis.shape[1] or _rank(basis) == basis.shape[1] for basis in (null, left))
+
+
+def _unit(basis: Any) -> Any:
+    """With columns of size one: a basis in whole numbers may have large ones."""
+    import numpy as np
+
+    return basis / np.linalg.norm(basis, axis=0)
 
 
 def _leads(found: LinearMap, spaces: Span) -> tuple[Expr, ...]:
