@@ -47,13 +47,19 @@ def _in_section(
 
 
 def _filled(covering: Covering, part: Array) -> Curve:
-    """The outlines of cells, one after the other, with a way there and back that fills nothing."""
-    places: list[Place] = []
-    for loop in _loops(part):
-        outline = [*_smooth(loop)]
-        places += [*outline, outline[0], *places[:1]]
+    places = outlines(part)
     (x, y), size = covering.corner, covering.size
     return tuple(x + size * i for i, _ in places), tuple(y + size * j for _, j in places)
+
+
+def outlines(part: Array, straight: bool = True) -> list[Place]:
+    """Of cells, one after the other, with a way there and back that fills nothing; where lines of cells are
+    not `straight` in the figure, with every corner."""
+    places: list[Place] = []
+    for loop in _loops(part):
+        outline = [*_smooth(loop, straight)]
+        places += [*outline, outline[0], *places[:1]]
+    return places
 
 
 def _loops(part: Array) -> Iterator[list[tuple[int, int]]]:
@@ -87,8 +93,8 @@ def _loops(part: Array) -> Iterator[list[tuple[int, int]]]:
         yield loop
 
 
-def _smooth(loop: list[tuple[int, int]]) -> Iterator[Place]:
-    """The middles of its edges, those in one line left out."""
+def _smooth(loop: list[tuple[int, int]], straight: bool) -> Iterator[Place]:
+    """The middles of its edges, those in one straight line left out."""
     middles = [
         ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in zip(loop, [*loop[1:], loop[0]], strict=True)
     ]
@@ -96,5 +102,5 @@ def _smooth(loop: list[tuple[int, int]]) -> Iterator[Place]:
         [middles[-1], *middles[:-1]], middles, [*middles[1:], middles[0]], strict=True
     ):
         turn = (here[0] - before[0]) * (after[1] - here[1]) - (here[1] - before[1]) * (after[0] - here[0])
-        if turn:
+        if turn or not straight:
             yield here

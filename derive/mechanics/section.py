@@ -25,8 +25,8 @@ class Section:
     height: Scalar
 
     def determinant(self, chain: Chain) -> Scalar | None:
-        """That of the derivatives of both by two other joints; None of one."""
-        if len(self.others) < MOST:
+        """That of the derivatives of both by two other joints; None where there are not two."""
+        if len(self.others) != MOST:
             return None
         a, b = (chain.joint(i).variable for i in self.others)
         return self.square.diff(a) * self.height.diff(b) - self.square.diff(b) * self.height.diff(a)
@@ -44,11 +44,11 @@ class OnSphere:
     swing: Scalar
 
 
-def section(chain: Chain, point: ScalarMatrix, last: int) -> Section | None:
-    """None where the first joint that moves the point slides, or the axis is not fixed, or more than two
+def section(chain: Chain, point: ScalarMatrix, last: int, most: int = MOST) -> Section | None:
+    """None where the first joint that moves the point slides, or the axis is not fixed, or more than so many
     others move it."""
     rows = moving_joints(chain, point, last)
-    if not 2 <= len(rows) <= MOST + 1 or any(chain.joint(i).type == "helical" for i in rows):
+    if not 2 <= len(rows) <= most + 1 or any(chain.joint(i).type == "helical" for i in rows):
         return None
     first, *others = rows
     if chain.joint(first).type != "revolute" or chain.coupling is not None:

@@ -50,6 +50,7 @@ from derive.kinds.robot._reach.told import (
     shape_orientations,
 )
 from derive.kinds.robot._reach.turning_about import TurningAbout
+from derive.kinds.robot._reach.within_ranges import within_ranges
 from derive.kinds.robot._units import of_variables, together
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
@@ -100,7 +101,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     refuse_coupled(found, point)
     if options.kind == "dexterous":
         return dexterous(TurningAbout(problem, found, point), options.point, options.evaluate)
-    shape = _limited(problem, found, point)
+    shape = _shape(problem, found, point, options)
+    if isinstance(shape, Derivation):
+        return shape
     if shape:
         return _within(problem, found, point, shape, options)
     if (told := by_section(problem, found, point, options.evaluate)) is not None:
@@ -131,6 +134,17 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     return work.answer("workspace", results, facts, plots=plots)
 
 
+def _shape(problem: Problem, found: Chain, point: Tracked, options: Options) -> Shape | Derivation | None:
+    """What is reached within ranges, in closed form, or else where all has values in numbers. Raises
+    NotDerivable."""
+    try:
+        return _limited(problem, found, point)
+    except NotDerivable:
+        if (told := within_ranges(problem, found, point, options.evaluate or ())) is None:
+            raise
+        return told
+
+
 def _limited(problem: Problem, found: Chain, point: Tracked) -> Shape | None:
     """The shape where a joint has a range, or slides so that it matters. Raises NotDerivable where there is a
     range and no shape is known."""
@@ -141,7 +155,7 @@ def _limited(problem: Problem, found: Chain, point: Tracked) -> Shape | None:
     ):
         return None
     shape = shape_within(problem, found, point)
-    if shape is None and ranged and cut(found, point) is None:
+    if shape is None and ranged and cut(problem, found, point) is None:
         raise NotDerivable("the workspace within ranges of the joints of this arm is not derived yet")
     return shape
 

@@ -88,6 +88,33 @@ def test_ranges_leave_a_part(tmp_path: Path) -> None:
     assert [found[name] for name in ("r_min", "r_max", "z_min", "z_max")] == pytest.approx(sampled, abs=0.02)
 
 
+@pytest.mark.parametrize(("first", "said"), [("", "an annulus"), (", range: [-60 deg, 60 deg]", "a part of")])
+def test_three_links_in_a_plane_within_ranges(first: str, said: str, tmp_path: Path) -> None:
+    links = (
+        f"{{theta: q1*, d: 0, a: 0.5, alpha: 0{first}}}, "
+        "{theta: q2*, d: 0, a: 0.4, alpha: 0, range: [-20 deg, 120 deg]}, "
+        "{theta: q3*, d: 0, a: 0.3, alpha: 0, range: [30 deg, 90 deg]}"
+    )
+    found = told(links, tmp_path)
+    rng = np.random.default_rng(2)
+    angles = (rng.uniform(*np.radians(each), 300_000) for each in ((-20, 120), (30, 90)))
+    q = np.stack([np.zeros(300_000), *angles])
+    sampled = ends(moved([(0, 0.5, 0), (0, 0.4, 0), (0, 0.3, 0)], q))
+    assert (found["r_min"], found["r_max"]) == pytest.approx(sampled[:2], abs=0.003)
+    assert found["description"].startswith(said)
+
+
+def test_a_swung_arm_within_ranges(tmp_path: Path) -> None:
+    """Stretched at 45 degrees it would reach higher; the elbow is kept from that."""
+    links = (
+        "{theta: q1*, d: 0, a: 0, alpha: 90 deg}, {theta: q2*, d: 0, a: 0.5, alpha: 0, range: [0, 45 deg]}, "
+        "{theta: q3*, d: 0, a: 0.4, alpha: 0, range: [-150 deg, -30 deg]}"
+    )
+    found = told(links, tmp_path)
+    assert found["z_max"] == pytest.approx(0.5 * math.sin(math.pi / 4) + 0.4 * math.sin(math.pi / 12))
+    assert found["r_max"] == pytest.approx(math.sqrt(0.41 + 0.4 * math.cos(math.pi / 6)))
+
+
 def test_a_first_joint_with_a_range_is_refused(tmp_path: Path) -> None:
     with pytest.raises(SheetErrors) as caught:
         told(ORTHOGONAL.replace("-90 deg}", "-90 deg, range: [0, 90 deg]}") % ("", ""), tmp_path)

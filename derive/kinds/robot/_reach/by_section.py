@@ -9,19 +9,22 @@ from derive.kinds.robot._point import Tracked
 from derive.kinds.robot._reach.sections import InSectionOf
 from derive.kinds.robot._reach.spheres import OnTwoAxes
 from derive.mechanics.chain import Chain
-from derive.mechanics.reach import planar_arm, swung_arm
+from derive.mechanics.reach import moving_joints, planar_arm, swung_arm
 from derive.mechanics.section import Section, on_sphere, section
 
 
-def cut(found: Chain, point: Tracked) -> Section | None:
+def cut(problem: Problem, found: Chain, point: Tracked) -> Section | None:
     """The section of an arm; None where it has a simpler shape, or no section."""
     at = point.position, point.last
-    return None if planar_arm(found, *at) or swung_arm(found, *at) else section(found, *at)
+    ranged = any(problem.subject.links[i - 1].range for i in moving_joints(found, *at))
+    if planar_arm(found, *at) or (swung_arm(found, *at) and not ranged):
+        return None
+    return section(found, *at)
 
 
 def by_section(problem: Problem, found: Chain, point: Tracked, place: Place | None) -> Derivation | None:
     """What it reaches. Raises NotDerivable where joints have ranges that are not honoured."""
-    if (seen := cut(found, point)) is None:
+    if (seen := cut(problem, found, point)) is None:
         return None
     if (sphere := on_sphere(found, seen, point.position)) is not None:
         return OnTwoAxes(problem, found, point, seen, sphere).derivation()

@@ -44,6 +44,12 @@ class OnASphere(Record):
     directions: Phrase
 
 
+class InPlane(Record):
+    """Of an arm in a plane within ranges: what decides the distance."""
+
+    said: Phrase
+
+
 class Facts(PageFacts):
     """Of what is reached at all, or, in its place, `dexterous`."""
 
@@ -63,3 +69,4 @@ class Facts(PageFacts):
     dexterous: Dexterous | None = None
     section: InSection | None = None
     sphere: OnASphere | None = None
+    plane: InPlane | None = None

@@ -28,10 +28,12 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-GRID = 401
+GRID, FEWER = 401, 81  # values of each of two joints, and of each of more
 BEYOND, NEAR, TO_AXIS = 1e-7, 1e-3, 1e-2  # of the size: how far a grid may pass an extreme, or miss it
 TOLERANCE, APART, STEPS = 1e-8, 1e-4, 30
 COARSE = 48
+SQUARES, THROWN, MOSTLY = 60, 200, 0.9
+COARSER = 5  # of grids with fewer values
 POINTS, TURN, SMALL = 2, 0.7, 1e-6
 
 
@@ -50,7 +52,7 @@ class SectionSeen:
         """A grid of values of the other joints."""
         import numpy as np
 
-        count = GRID if len(self.others) > 1 else GRID**2
+        count = {1: GRID**2, 2: GRID}.get(len(self.others), FEWER)
         axes = [np.linspace(*self.arm.limits[row], count) for row in self.others]
         return tuple(np.meshgrid(*axes, indexing="ij"))
 
@@ -75,11 +77,20 @@ class SectionSeen:
     def extremes(self, told: Mapping[str, float]) -> Iterator[bool]:
         """Whether r_min, r_max, z_min and z_max are come near to, and not passed."""
         size = max(told["r_max"], told["z_max"] - told["z_min"])
-        for values, low, high in ((self.reached[0], "r_min", "r_max"), (self.reached[1], "z_min", "z_max")):
+        yield from self._ends(told, size, (0, "r_min", "r_max"), (1, "z_min", "z_max"))
+
+    def distances(self, told: Mapping[str, float]) -> Iterator[bool]:
+        """The same of r_min and r_max alone."""
+        return self._ends(told, told["r_max"], (0, "r_min", "r_max"))
+
+    def _ends(self, told: Mapping[str, float], size: float, *ends: tuple[int, str, str]) -> Iterator[bool]:
+        coarse = 1 if len(self.others) < 3 else COARSER
+        for k, low, high in ends:
+            values = self.reached[k]
             least, most = float(values.min()), float(values.max())
             near = TO_AXIS if told[low] == 0 else NEAR  # where a sheet meets the axis distances grow at once
-            yield told[low] - BEYOND * size <= least <= told[low] + near * size
-            yield told[high] - NEAR * size <= most <= told[high] + BEYOND * size
+            yield told[low] - BEYOND * size <= least <= told[low] + coarse * near * size
+            yield told[high] - coarse * NEAR * size <= most <= told[high] + BEYOND * size
 
     def on_sphere(self, center: Array, radius: float, ends: tuple[float, float]) -> Iterator[bool]:
         """Whether the point stays at a distance from a center, and between heights above it along the first
@@ -244,3 +255,19 @@ def _is_within(curve: Curve, sample: Sample) -> bool:
         if (y > sample.z) != (v > sample.z) and sample.rho < x + (sample.z - y) * (u - x) / (v - y):
             inside = not inside
     return inside
+
+
+def fills(curve: Curve, x: Array, y: Array) -> Iterator[bool]:
+    """Whether an outline encloses what places cover: as much, and nearly all of them."""
+    import numpy as np
+
+    u, v = (np.array(each) for each in curve)
+    area = abs(float(u[:-1] @ v[1:] - u[1:] @ v[:-1]) / 2)
+    size = max(float(np.ptp(x)), float(np.ptp(y))) / SQUARES
+    cells = np.zeros((SQUARES + 1, SQUARES + 1), dtype=bool)
+    cells[((x - x.min()) / size).astype(int), ((y - y.min()) / size).astype(int)] = True
+    edges = sum(int((a != b).sum()) for a, b in ((cells[1:], cells[:-1]), (cells[:, 1:], cells[:, :-1])))
+    yield abs(float(cells.sum()) - edges / 2 - area / size**2) <= edges / 2
+    some = np.random.default_rng(0).integers(0, x.size, THROWN)
+    inside = [_is_within(curve, Sample(float(x[k]), float(y[k]), 1)) for k in some]
+    yield float(np.mean(inside)) > MOSTLY

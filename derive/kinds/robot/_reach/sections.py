@@ -170,10 +170,14 @@ class InSectionOf:
                 counts=self._counts(samples),
             ),
         )
+        unit = unit_of_lengths(self.problem, dict(self.place).values())
+        lengths = (self.rho, self.z, *self.names.values()) if unit else ()
         evaluated = {**told, "regions": [list(each.row) for each in samples]} if samples else told
         results["description"] = description
         work = work.claim(*self._claims(facts, told, plots))
-        return work.answer("workspace", results, facts, plots=plots, evaluated=evaluated)
+        return work.answer(
+            "workspace", results, facts, plots=plots, evaluated=evaluated, units=dict.fromkeys(lengths, unit)
+        )
 
     # -- what is said -----------------------------------------------------------------------------
 

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-GRID = 288  # values of a joint
+GRID = 288  # values of each of two joints
+MANY = 100  # of each of more
 WINDOW, NARROWER, STEPS = 4, 3.0, 40
 NOTHING = 1e-9  # of the size, what is no distance
 SMALLEST = 12  # cells of a region that is looked at
@@ -65,6 +66,21 @@ class Swept:
         """(rho, z) for arrays of values of the joints."""
         import numpy as np
 
+        flat, height = self._flat(*values)
+        return np.linalg.norm(flat, axis=-1), height
+
+    @property
+    def directions(self) -> tuple[Array, Array]:
+        """(rho, phi) on the grid, with the first joint at zero and an axis along z."""
+        import numpy as np
+
+        flat, _ = self._flat(*self.grid)
+        return np.linalg.norm(flat, axis=-1), np.arctan2(flat[..., 1], flat[..., 0])
+
+    def _flat(self, *values: Array) -> tuple[Array, Array]:
+        """The way from the first axis to the point, square to the axis, and the height."""
+        import numpy as np
+
         p = np.broadcast_to(self.start, (*values[-1].shape, 3))
         for (turns, w, o), value in reversed([*zip(self.joints, values, strict=True)]):
             if not turns:
@@ -75,15 +91,14 @@ class Swept:
         w, o = self.axis
         height = p @ w
         flat = p - o
-        flat = flat - (flat @ w)[..., None] * w
-        return np.linalg.norm(flat, axis=-1), height
+        return flat - (flat @ w)[..., None] * w, height
 
     @cached_property
     def grid(self) -> tuple[Array, ...]:
         """Values of the joints, each in all its range."""
         import numpy as np
 
-        count = GRID + 1 if len(self.joints) > 1 else GRID**2
+        count = {1: GRID**2, 2: GRID + 1}.get(len(self.joints), MANY + 1)
         axes = [np.linspace(*each, count) for each in self.limits]
         return tuple(np.meshgrid(*axes, indexing="ij"))
 
@@ -106,7 +121,7 @@ class Swept:
         values = sign * self.place(*self.grid)[which]
         best = np.unravel_index(int(values.argmax()), values.shape)
         here = [float(each[best]) for each in self.grid]
-        width = [(high - low) / GRID for low, high in self.limits]
+        width = [(high - low) / MANY for low, high in self.limits]
         offsets = np.linspace(-1.0, 1.0, 2 * WINDOW + 1)
         for _ in range(STEPS):
             axes = [
