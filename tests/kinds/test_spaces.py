@@ -88,6 +88,22 @@ def test_a_planar_arm_folded_back(tmp_path: Path) -> None:
     assert asked(ARM + more + "  velocity: [1, 1]\n", tmp_path)["feasible"] is False
 
 
+def test_whole_numbers_may_be_large(tmp_path: Path) -> None:
+    """A basis of decimals is written in whole numbers: what rounding leaves of zero grows with them."""
+    J = np.random.default_rng(3).integers(-(10**5), 10**5, (4, 3)) @ [
+        [1, 0, 2, 5],
+        [0, 1, 7, -3],
+        [1, 1, 9, 2],
+    ]
+    found = asked(given(J), tmp_path)
+    assert int(found["rank"]) == np.linalg.matrix_rank(J)
+    null, left = (numbers(found[key], 4) for key in ("null_space", "left_null_space"))
+    assert np.abs(left).max() > 1e6
+    for ours, theirs in ((null, null_space(J)), (left, null_space(J.T))):
+        unit = ours / np.abs(ours).max(axis=0)
+        assert unit.shape == theirs.shape and np.allclose(theirs @ (theirs.T @ unit), unit)
+
+
 @pytest.mark.parametrize(
     ("sheet", "said"),
     [

@@ -20,7 +20,8 @@ def rank(asked: Asked, point: Point) -> Iterator[Test]:
     there = asked.here if asked.options.evaluate else point.in_digits()
     arm = Arm(asked, there, 1)
     if not asked.options.task:
-        yield from spaces(asked, Task(arm).J, there)
+        elsewhere = Task(Arm(asked, point.in_digits(), 1))  # in one configuration more rows may be zero
+        yield from spaces(asked, Task(arm).rows_in(elsewhere.names), there)
         return
     functions = [asked.formula(each) for each in asked.options.task]
     yield from spaces(asked, [[there.at(f.diff(q)) for q in arm.q] for f in functions], there)
