@@ -87,6 +87,18 @@ def test_other_options_are_another_build(sheet: Path, options: str) -> None:
     assert again(*asked) == UNCHANGED
 
 
+def test_a_sheet_of_this_name_elsewhere_is_another(sheet: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Though it be the same file by a link: what it names stands beside the link."""
+    output = str(sheet / "output")
+    again("--format", "md", "--output", output)
+    (sheet / "else").mkdir()
+    (sheet / "else" / "week1.yaml").symlink_to(sheet / "week1.yaml")
+    (sheet / "else" / "arm.yaml").write_text(ARM.replace("a: L", "a: M"))
+    (sheet / "else" / "arm.svg").write_text(PICTURE % 3)
+    monkeypatch.chdir(sheet / "else")
+    assert again("--format", "md", "--output", output) == f"{output}/week1.md\n"
+
+
 def test_templates_are_part_of_it(sheet: Path) -> None:
     asked = ("--format", "md", "--templates", "own")
     again(*asked)

@@ -31,7 +31,7 @@ def serve(asked: BinaryIO) -> None:
         wanted, folder = pickle.load(asked)
         with dressed(wanted.templates):
             while True:
-                pickle.dump((_answer(pickle.load(asked), wanted, folder), _most_memory()), told)
+                pickle.dump((_answer(pickle.load(asked), wanted, folder), _memory()), told)
                 told.flush()
     except (EOFError, BrokenPipeError):
         os._exit(0)
@@ -47,10 +47,13 @@ def _answer(task: Task, wanted: Wanted, folder: Path | None) -> Outcome | OSErro
         return Outcome(accident=accident(error, task.sheet))
 
 
-def _most_memory() -> int:
-    """Bytes that this process has held at most; 0 where that is not known."""
-    if sys.platform == "win32":
-        return 0
-    from resource import RUSAGE_SELF, getrusage
+def _memory() -> int:
+    """Bytes that this process holds, or has held at most; 0 where neither is known."""
+    if sys.platform == "linux":
+        with open("/proc/self/statm", encoding="ascii") as file:
+            return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+    if sys.platform == "darwin":
+        from resource import RUSAGE_SELF, getrusage
 
-    return getrusage(RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024)
+        return getrusage(RUSAGE_SELF).ru_maxrss
+    return 0

@@ -24,7 +24,8 @@ sys.path[:] = pickle.load(asked)
 from derive.jobs.worker import serve
 serve(asked)
 """
-LARGE = 160_000_000  # bytes; a process that has held so many is let go after its sheet
+LARGE = 160_000_000  # bytes; a process that has held so many is let go, its sheet done
+KILLED = 9
 OFTEN = 0.5  # seconds after which Ctrl-C is looked for, where nothing else happens
 NAMED = 4  # sheets at work that are told
 DOING = {"read": "reading the sheets", "build": "building the sheets"}
@@ -144,8 +145,9 @@ class _Worker:
     def death(self) -> str:
         """How it died."""
         code = self.process.wait()
-        by = f"signal {-code}" if code < 0 else f"status {code}"
-        return f"the process that built this sheet ended with {by}, as it does where memory is full"
+        by = f"status {code}" if code >= 0 else f"signal {-code}"
+        full = ", as it does where memory is full" if code == -KILLED else ""
+        return f"the process that built this sheet ended with {by}{full}"
 
     def end(self) -> None:
         """Ends it, whatever it is at."""

@@ -34,7 +34,7 @@ def _parts(formats: tuple[str, ...]) -> Iterator[str]:
             inside = sorted(name for name in os.listdir(entry or ".") if name.endswith("-info"))
         except OSError:
             continue
-        yield from (entry, *inside)
+        yield from (entry, *inside) if inside else ()
         for each in inside:
             yield from _kinds(Path(entry, each, "entry_points.txt"))
     for each in formats:

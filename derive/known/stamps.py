@@ -75,7 +75,7 @@ class Stamps:
 
     def _file(self, sheet: Path) -> Path:
         """A file for each sheet, as it was typed, with these options and this folder."""
-        typed = (os.path.realpath(sheet), str(sheet), os.path.realpath(self.output), self.options)
+        typed = (os.path.abspath(sheet), str(sheet), os.path.realpath(self.output), self.options)
         return self.place / f"{_digest(json.dumps(typed).encode())}.json"
 
     def _made_by(self) -> str:
