@@ -72,7 +72,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         rises=rises,
         told=tuple(found),
     )
-    return work.answer("acceleration", found, facts)
+    return work.answer("acceleration", found, facts, unread=frozenset({"jacobian-derivative"}))
 
 
 def _rows(options: Options, letter: str) -> list[str]:

@@ -16,6 +16,7 @@ from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.oracle import STEP, slope
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
+from derive.names import free
 
 CLAIMS = ("differences",)
 
@@ -47,7 +48,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     total = add(*(Derivative(J, Symbol(n)) * Symbol(f"{n}_dot") for n in task.found.variables))
     bias = J_DOT * Q_DOT
     work = task.board().knowing({Q_DOT: column(task.rates)}).line(J_DOT, total, rule="chain-rule")
-    work = work.line(bias, label="bias", rule="product")
+    letter = free(problem.taken, "b", indices=(f"_{i}" for i in range(1, len(task.rows) + 1)))
+    entries = {(i, 0): Symbol(f"{letter}_{i + 1}") for i in range(len(task.rows))}
+    work = work.line(bias, label="bias", rule="product", entries=entries)
     work = work.closed(J_DOT, bias)
     some = () if len(task.rows) == len(ROWS) or options.task else task.velocities
     facts = Facts(rows=some, rates=task.rates, of_functions=bool(options.task))
