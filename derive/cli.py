@@ -22,6 +22,20 @@ STEPS = ("full", "key", "answers")
 FORMATS = ("md", "tex", "pdf", "html", "docx", "json")
 
 
+def _with_ending(typed: str) -> str:
+    """The sheet that is meant by its name without .yaml, "" where there is none."""
+    return next((name for end in (".yaml", ".yml") if Path(name := typed + end).is_file()), "")
+
+
+class _SheetPath(click.Path):
+    """The path of a sheet that is there."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        if not Path(value).exists() and (meant := _with_ending(str(value))):
+            self.fail(f"there is no file '{value}'; did you mean {meant}?", param, ctx)
+        return super().convert(value, param, ctx)
+
+
 class _Commands(click.Group):
     """`derive SHEET` is `derive build SHEET`."""
 
@@ -38,7 +52,8 @@ class _Commands(click.Group):
         from difflib import get_close_matches
 
         close = get_close_matches(typed, self.commands, n=1)
-        hint = f"; did you mean {close[0]}?" if close else ""
+        meant = _with_ending(typed) or (close[0] if close else "")
+        hint = f"; did you mean {meant}?" if meant else ""
         raise click.UsageError(f"there is no command and no sheet '{typed}'{hint}", ctx)
 
 
@@ -48,9 +63,10 @@ def main() -> None:
     """Turn exercise sheets in YAML into worked, verified solution sheets.
 
     \b
-    derive week3.yaml            builds output/week3.md, .tex and .pdf
-    derive exercises             builds every sheet of a folder
-    derive new mine              writes a sheet to start from
+    derive week3.yaml               builds output/week3.md, .tex and .pdf
+    derive exercises                builds every sheet of a folder
+    derive new mine                 writes a sheet to start from
+    derive watch mine.yaml --serve  shows its page in the browser
 
     'derive SHEET...' is short for 'derive build SHEET...'.
     """
@@ -78,7 +94,7 @@ def _sheets(ctx: click.Context, option: click.Parameter, value: tuple[Path, ...]
 
 
 SHEETS = click.argument(
-    "sheets", nargs=-1, required=True, callback=_sheets, type=click.Path(exists=True, path_type=Path)
+    "sheets", nargs=-1, required=True, callback=_sheets, type=_SheetPath(exists=True, path_type=Path)
 )
 
 
@@ -388,8 +404,8 @@ def schema() -> None:
         page(schema_text())
 
 
-@main.command()
-@click.argument("sheet", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@main.command(short_help="Rebuild a sheet at every save, or show it in the browser (--serve).")
+@click.argument("sheet", type=_SheetPath(exists=True, dir_okay=False, path_type=Path))
 @click.option("--serve", is_flag=True, help="Show it in the browser and write nothing.")
 @click.option(
     "--port", type=click.IntRange(0, 65535), default=0, help="Where to serve; left out, any free one."
@@ -455,5 +471,9 @@ def _refuse_together(serve: bool, given: Sequence[str]) -> None:
     idle = ("formats", "output", "pdf_engine", "audit", "explain") if serve else ("port", "opened")
     for each in given:
         if each in idle:
-            said = "shows a page and writes none" if serve else "is missing"
-            raise click.UsageError(f"{names.get(each, f'--{each}')} is not for this: --serve {said}")
+            name = names.get(each, f"--{each}")
+            if serve:
+                raise click.UsageError(
+                    f"{name} does not go with --serve, which shows a page and writes nothing"
+                )
+            raise click.UsageError(f"{name} is about the page in the browser: add --serve")

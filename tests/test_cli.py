@@ -77,6 +77,13 @@ def test_a_wrong_command_line(folder: Path, arguments: tuple[str, ...]) -> None:
     assert run(*arguments).exit_code == 2
 
 
+@pytest.mark.parametrize("command", [(), ("build",), ("check",), ("watch",)])
+def test_a_sheet_without_its_ending(folder: Path, command: tuple[str, ...]) -> None:
+    done = run(*command, "week1")
+    assert done.exit_code == 2
+    assert "did you mean week1.yaml?" in done.stderr
+
+
 def test_a_misspelt_command() -> None:
     assert "did you mean build?" in run("bild", "week1.yaml").stderr
 
