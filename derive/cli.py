@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from derive.sheet.model import Steps
 
 STEPS = ("full", "key", "answers")
+MOST_JOBS = 8  # unless more are asked for
 FORMATS = ("md", "tex", "pdf", "html", "docx", "json")
 
 
@@ -137,7 +138,7 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
     "--jobs",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Build at most N sheets at a time; left out, as many as there are processors.",
+    help="Build at most N sheets at a time; left out, as many as there are processors, up to 8.",
 )
 @click.option("--no-cache", is_flag=True, help="Derive sheets again of which nothing has changed.")
 def build(
@@ -234,8 +235,9 @@ def _unchanged(sheets: tuple[Path, ...]) -> str:
 
 
 def _processors() -> int:
-    """How many this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    """How many this process may use; of many a few, as each needs memory."""
+    found = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return min(found, MOST_JOBS)
 
 
 def _say_pages(files: tuple[Path, ...], folder: Path | None) -> None:
