@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from derive.algebra.normal import normal_matrix
 from derive.algebra.readable.form import factored_matrix
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import Derivation, PageFacts, Phrase, Said
+from derive.derivation import Derivation, PageFacts, Phrase
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, children, free_symbols, transpose
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -16,6 +14,7 @@ from derive.kinds.robot._chain import LINKS_ALONE, chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, inertias, weighted
 from derive.kinds.robot._dynamics.body_steps import (
     body_definitions,
+    centers_told,
     com_jacobian_steps,
     com_step,
     inertia_steps,
@@ -94,7 +93,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     key = "changing-moment" if changing else "moment-of-shape" if moments else "steady-moment"
     facts = Facts(
         I=inertias(bodies),
-        centers=None if big else _centers(heavy),
+        centers=None if big else centers_told(heavy),
         moments=Phrase(key if one else MANY[key]),
         one=one,
         big=big,
@@ -107,15 +106,6 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 def _jacobians(i: int) -> tuple[Symbol, ...]:
     return tuple(Symbol(f"J_{part}{i}") for part in "cvw")
-
-
-def _centers(bodies: Sequence[Weighted]) -> Phrase:
-    """That centers of mass are given in frames, or are the origins of these."""
-    about: dict[str, Said] = {name[0]: Symbol(name) for name in ("R_i^0", "o_i", "T_i^0")}
-    if any(any(body.com.entries) for body in bodies):
-        return Phrase("centers" if len(bodies) > 1 else "center", about)
-    del about["R"]
-    return Phrase("centers-at-origins" if len(bodies) > 1 else "center-at-origin", about)
 
 
 def _base(work: Work, found: Chain, bodies: tuple[Weighted, ...]) -> Work:

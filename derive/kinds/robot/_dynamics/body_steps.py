@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import Step
+from derive.derivation import Phrase, Said, Step
 from derive.expression import Expr, Matrix, Symbol, add, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import pose_name
@@ -25,6 +25,15 @@ def com_step(problem: Problem, body: Weighted) -> Step:
     shift = problem.readable_matrix(body.com)
     route = add(origin, Symbol(f"R_{body.i}^0") * shift) if any(body.com.entries) else origin
     return Step(name.name, (name, route, problem.readable_matrix(body.motion.com)), "center-of-mass")
+
+
+def centers_told(bodies: Sequence[Weighted]) -> Phrase:
+    """That centers of mass are given in frames, or are the origins of these."""
+    about: dict[str, Said] = {name[0]: Symbol(name) for name in ("R_i^0", "o_i", "T_i^0")}
+    if any(any(body.com.entries) for body in bodies):
+        return Phrase("centers" if len(bodies) > 1 else "center", about)
+    del about["R"]
+    return Phrase("centers-at-origins" if len(bodies) > 1 else "center-at-origin", about)
 
 
 def com_jacobian_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...]:
