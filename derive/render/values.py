@@ -239,10 +239,17 @@ class Values:
                 try:
                     return unit_of(dimension_of_formula(part, known))
                 except Unlike as error:
+                    if self.style.units and _has_bare_data(part):
+                        continue
                     raise NotAsWritten(f"{part!r}: {error}") from error
                 except NotDerivable:
                     continue
         return None
+
+
+def _has_bare_data(expr: Expr) -> bool:
+    """Whether decimals stand in a formula, which may be data without their units: 0.1 of d_2 = 0.1 m."""
+    return any(isinstance(node, Number) and node.decimal and not node.unit for node in walk(expr))
 
 
 def _is_bare(node: Expr) -> bool:
