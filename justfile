@@ -52,3 +52,7 @@ sheets:
 # Costs as ratios to `import sympy`
 bench:
     python3 -m benchmarks
+
+# The documentation as a site, in site/
+site:
+    python3 -m mkdocs build --strict

@@ -20,6 +20,7 @@ from derive.kinds.figures import explains, figure_of
 from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
 from derive.kinds.registry import words_folder
+from derive.kinds.remembered import remembered
 from derive.lettered import letters_of, unused_letters
 from derive.placing import folder_name, namesakes
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, figure_path
@@ -193,7 +194,7 @@ def working_on(problem: Problem, angles: Angles = None) -> Working:
 
 
 def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Warn) -> ProblemPage:
-    working = working_on(problem, sheet.notation.angles)
+    working = remembered(working_on(problem, sheet.notation.angles))
     answers = each(problem.questions, lambda question: answered(question, working))
     strange = list(strange_names(problem, working, answers))
     if misspelt := [found for found in strange if found.hint]:

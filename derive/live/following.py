@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from queue import Empty, SimpleQueue
@@ -15,6 +15,7 @@ from typing import Any, TypeAlias
 from derive.build import Audit, Warn, build
 from derive.errors import SheetError, SheetErrors
 from derive.explaining import explained
+from derive.kinds.remembered import Remembered
 from derive.live.saves import saves
 from derive.live.serving import served
 from derive.live.view import Section, Shown, View, said, sections
@@ -47,6 +48,7 @@ def follow(sheet: Path, wanted: Wanted, port: int, opened: Callable[[str], objec
     Raises OSError where the port cannot be had or the folder cannot be watched."""
     wishes: SimpleQueue[Wish] = SimpleQueue()
     shown = Shown(View(name=sheet.name))
+    known = Remembered()
     Thread(target=_watch, args=(sheet, wanted, wishes), daemon=True).start()
 
     def ask(steps: Steps | None) -> None:
@@ -57,7 +59,7 @@ def follow(sheet: Path, wanted: Wanted, port: int, opened: Callable[[str], objec
         opened(address)
         while True:
             shown.show(building=True, steps=wanted.steps)
-            shown.show(building=False, **made(sheet, wanted, shown.view.pages))
+            shown.show(building=False, **made(sheet, wanted, shown.view.pages, known))
             for wish in _wishes(wishes):
                 if isinstance(wish, BaseException):
                     raise wish
@@ -84,8 +86,8 @@ def _wishes(wishes: SimpleQueue[Wish]) -> Iterator[Wish]:
         yield wishes.get()
 
 
-def made(path: Path, wanted: Wanted, pages: int) -> dict[str, Any]:
-    """What there is to show of the sheet as it stands now."""
+def made(path: Path, wanted: Wanted, pages: int, known: Remembered) -> dict[str, Any]:
+    """What there is to show of the sheet as it stands now. Problems that are known are not derived again."""
     began = perf_counter()
     text, where = _source(path)
     strange: list[SheetError] = []
@@ -101,7 +103,8 @@ def made(path: Path, wanted: Wanted, pages: int) -> dict[str, Any]:
 
     found: dict[str, Any] = {"faults": ()}
     try:
-        page = _page(path, wanted, told, look)
+        with known.used() if wanted.templates is None else nullcontext():  # templates change what is told
+            page = _page(path, wanted, told, look)
     except SheetErrors as errors:
         report(errors, "the last good page is shown")
         found["faults"] = tuple(said(error, str(path)) for error in errors.errors)
