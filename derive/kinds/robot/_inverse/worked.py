@@ -110,7 +110,7 @@ class Worked:
         singular_steps = (case.step for case in self.singular)
         turned: tuple[Step, ...] = ()
         if found := self.by_angle:
-            turned = (*found.steps, *self.told_of(found.angle.turn), found.made)
+            turned = (*found.steps, found.made, *self.told_of(found.angle.turn))
         return (*self.pose, *self.centre, *arm, *turned, *swung, *self.turn, *hand, *singular_steps)
 
     @property
