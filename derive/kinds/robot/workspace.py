@@ -61,13 +61,18 @@ from derive.names import free
 
 NOTHING, NEARLY = 1e-9, 1e-3  # of a hole, and of the corners of a circle
 EXAMPLE = 0.6  # of the first link: a second one of which nothing is known, so that a hole is seen
-CLAIMED = {"r_min": "orientations", "rings": "orientations", "regions": "section-counts"}
+CLAIMED = {
+    "r_min": "orientations|still",
+    "r_max": "still",
+    "rings": "orientations",
+    "regions": "section-counts",
+}
 CLAIMED_OF_REGION = (
-    "largest-distance|inside|section-seen|on-sphere",
-    "smallest-distance|filled|section-seen|on-sphere",
-    "lines|section-seen|on-sphere",
-    "link-lengths|touching|section-seen|on-sphere",
-    "called|section-seen|on-sphere",
+    "largest-distance|inside|section-told|on-sphere|still",
+    "smallest-distance|filled|section-told|on-sphere|still",
+    "lines|section-told|on-sphere|still",
+    "link-lengths|touching|section-told|on-sphere|still",
+    "called|section-told|on-sphere|still",
 )
 measures = together(
     of_variables, r_min="m", r_max="m", area="m^2", volume="m^3", rho2="m^2", z="m", z_min="m", z_max="m"

@@ -134,6 +134,14 @@ def test_a_wrist_points_into_a_cone(twists: tuple[int, int], low: float, tmp_pat
     assert (found["z_min"], found["z_max"]) == pytest.approx((low / 2, high / 2))
 
 
+def test_the_center_of_a_wrist_stays(tmp_path: Path) -> None:
+    links = ", ".join(
+        f"{{theta: q{k}*, d: 0, a: 0, alpha: {twist}}}" for k, twist in ((1, "60 deg"), (2, "-60 deg"))
+    )
+    found = told(f"{links}, {{theta: q3*, d: 0, a: 0, alpha: 0}}", tmp_path)
+    assert (found["r_min"], found["r_max"], found["description"]) == ("0", "0", "this one point")
+
+
 def test_a_palletizer_reaches_a_shell(tmp_path: Path) -> None:
     links = "{theta: q1*, d: 0.5, a: 0, alpha: 90 deg}" + "".join(
         f", {{theta: q{k}*, d: 0, a: {a}, alpha: 0}}" for k, a in ((2, 0.9), (3, 0.3), (4, 0.2))

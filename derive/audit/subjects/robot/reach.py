@@ -14,7 +14,7 @@ from derive.audit.points import Irrational, Number, Point, floating, shown
 from derive.audit.subjects.robot.arm import Arm, entries
 from derive.audit.subjects.robot.dexterous import dexterous
 from derive.audit.subjects.robot.limits import within
-from derive.audit.subjects.robot.sections import in_section, on_two_axes
+from derive.audit.subjects.robot.sections import in_section, on_two_axes, stays
 from derive.audit.subjects.robot.series import Array, Series, values
 from derive.audit.subjects.robot.task import Task
 
@@ -34,6 +34,9 @@ def workspace(asked: Asked, point: Point) -> Iterator[Test]:
         yield from dexterous(asked, Point(point.seed, False, point.angles, _positive(asked)))
         if "r_max" not in asked.results or "rings" in asked.results or "radius" in said:
             return
+    if "one point" in said:
+        yield from stays(asked, point)
+        return
     if "rho2" in asked.results:
         yield from in_section(asked, point)
         return

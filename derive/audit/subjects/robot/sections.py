@@ -61,6 +61,14 @@ def on_two_axes(asked: Asked, point: Point) -> Iterator[Test]:
     yield Holds("description", True, "")
 
 
+def stays(asked: Asked, point: Point) -> Iterator[Test]:
+    """A point that no joint moves."""
+    moves = any(values(Task(Arm(asked, point, 1)).whole[:3]).ravel())
+    yield Holds("description", not moves, "the point moves")
+    for name in ("r_min", "r_max"):
+        yield Same(name, 0)
+
+
 def _triple(a: Array, b: Array, c: Array) -> Any:
     return a @ np.cross(b, c)
 

@@ -6,6 +6,7 @@ from derive.derivation import Derivation
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import Tracked
+from derive.kinds.robot._reach.pointing import Still
 from derive.kinds.robot._reach.sections import InSectionOf
 from derive.kinds.robot._reach.spheres import OnTwoAxes
 from derive.mechanics.chain import Chain
@@ -24,8 +25,11 @@ def cut(problem: Problem, found: Chain, point: Tracked) -> Section | None:
 
 def by_section(problem: Problem, found: Chain, point: Tracked, place: Place | None) -> Derivation | None:
     """What it reaches. Raises NotDerivable where joints have ranges that are not honoured."""
+    if not moving_joints(found, point.position, point.last):
+        return Still(problem, found, point).derivation()
     if (seen := cut(problem, found, point)) is None:
         return None
-    if (sphere := on_sphere(found, seen, point.position)) is not None:
+    ranged = any(problem.subject.links[i - 1].range for i in seen.others)
+    if not ranged and (sphere := on_sphere(found, seen, point.position)) is not None:
         return OnTwoAxes(problem, found, point, seen, sphere).derivation()
     return InSectionOf(problem, found, point, seen, place or ()).derivation()

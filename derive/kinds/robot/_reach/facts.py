@@ -50,6 +50,12 @@ class InPlane(Record):
     said: Phrase
 
 
+class Pointing(Record):
+    """Of a point that stays: to where the end-effector points."""
+
+    said: Phrase
+
+
 class Facts(PageFacts):
     """Of what is reached at all, or, in its place, `dexterous`."""
 
@@ -70,3 +76,4 @@ class Facts(PageFacts):
     section: InSection | None = None
     sphere: OnASphere | None = None
     plane: InPlane | None = None
+    pointing: Pointing | None = None

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import Point, number
 from derive.derivation import Curve, Phrase, Plot, Said, Table
-from derive.expression import Symbol
+from derive.expression import Expr, Symbol
 from derive.kinds.checks import close, random_points
 from derive.kinds.fields import TREES
 from derive.kinds.problem import Problem
@@ -199,6 +199,17 @@ def section_at(problem: Problem, found: Chain, point: Tracked, first: int, at: P
     p = T[:3, :3] @ np.array([number(x, here) for x in point.offset]) + T[:3, 3]
     away = p - o
     return [float(away @ away - (away @ z) ** 2), float(p @ z)]
+
+
+def square_told(
+    problem: Problem, found: Chain, point: Tracked, first: int, line: Sequence[Expr], name: Symbol
+) -> Iterator[bool]:
+    """Whether both sides of a line for the square of a distance with this name are what poses give."""
+    for at in random_points(problem.symbols, POINTS, problem.moving):
+        here = dict(oracle_of(problem).at(at))
+        square, _ = section_at(problem, found, point, first, here)
+        sides = [number(each, {**here, name.name: math.sqrt(square)}) for each in line]
+        yield close(sides, [square] * len(sides), SMALL)
 
 
 def determinant_at(problem: Problem, point: Tracked, columns: Sequence[int], at: Point) -> float:

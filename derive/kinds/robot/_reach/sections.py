@@ -29,6 +29,7 @@ from derive.kinds.robot._reach.section_checks import (
     listed,
     moved_by,
     section_at,
+    square_told,
 )
 from derive.kinds.robot._reach.shapes import Shape
 from derive.kinds.robot._reach.spans import Span
@@ -96,7 +97,10 @@ class InSectionOf:
             )
         work = Work(self.problem, uses=(self.problem.ask("forward-kinematics"),))
         square = self.problem.readable(self.found.square)
-        work = work.showing(Step("rho2", (self.rho ** number(2), square), "unsolved"))
+        line = (self.rho_squared, square)
+        work = work.showing(Step("rho2", line, "unsolved"))
+        arm = self.problem, self.chain, self.point, self.found.first
+        work = work.claim(route("section-told", square_told(*arm, line, self.rho)))
         work = work.line(self.z, value=self.found.height, label="z")
         formulas = {"rho2": self._final(self.found.square), "z": self._final(self.found.height)}
         determinant = self.found.determinant(self.chain)
@@ -113,6 +117,10 @@ class InSectionOf:
     @cached_property
     def rho(self) -> Symbol:
         return Symbol(free(self.problem.taken, "rho", "varrho", "r"))
+
+    @property
+    def rho_squared(self) -> Expr:
+        return self.rho ** number(2)
 
     @cached_property
     def z(self) -> Symbol:
@@ -207,7 +215,7 @@ class InSectionOf:
             "other": other,
             "rho": self.rho,
             "z": self.z,
-            "square": self.rho ** number(2),
+            "square": self.rho_squared,
         }
         return Phrase("section-boundary", about)
 

@@ -8,13 +8,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from derive.algebra.numbers.floats import number, numbers
+from derive.algebra.numbers.floats import number
 from derive.derivation import Claim, Derivation, Phrase, Plot, Result, Said, Step
 from derive.expression import Approximate, Symbol
 from derive.expression import number as number_tree
 from derive.figures.limited_workspaces import from_along
 from derive.figures.polar_workspaces import filled, swept
-from derive.kinds.checks import close, random_points, route
+from derive.kinds.checks import route
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
@@ -23,7 +23,7 @@ from derive.kinds.robot._point import Tracked
 from derive.kinds.robot._reach.facts import Facts, InPlane
 from derive.kinds.robot._reach.in_numbers import Limits
 from derive.kinds.robot._reach.ranged import ranges_of
-from derive.kinds.robot._reach.section_checks import SectionSeen, fills, moved_by, section_at
+from derive.kinds.robot._reach.section_checks import SectionSeen, fills, moved_by, square_told
 from derive.kinds.robot._reach.sections import seen_in_numbers
 from derive.kinds.robot._reach.swept import Swept
 from derive.kinds.values_at import point_of
@@ -85,9 +85,12 @@ class WithinRanges:
     def derivation(self) -> Derivation:
         told = {"r_max": self.arm.extreme(0, 1), "r_min": self.arm.extreme(0, -1)}
         square = self.problem.readable(self.section.square)
-        steps = [Step("rho2", (R ** number_tree(2), square), "unsolved")]
+        line = (R ** number_tree(2), square)
+        steps = [Step("rho2", line, "unsolved")]
         steps += [Step(name, (NAMES[name], Approximate(told[name])), "section-end") for name in NAMES]
         work = Work(self.problem, uses=(self.problem.ask("forward-kinematics"),)).showing(*steps)
+        arm = self.problem, self.chain, self.point, self.section.first
+        work = work.claim(route("section-told", square_told(*arm, line, R)))
         plots = tuple(self._plots(told))
         description = Phrase(CALLED[self.turn is not None, told["r_min"] > 0])
         results: dict[str, Result] = {"rho2": self.problem.final(square)}
@@ -152,13 +155,6 @@ class WithinRanges:
         yield route(
             "section-joints", moved_by(self.problem, self.chain, self.point, about["first"], about["others"])
         )
-        square = self.problem.readable(self.section.square)
-        points = [dict(oracle_of(self.problem).at(at)) for at in random_points(self.problem.symbols, POINTS)]
-        pairs = (
-            (numbers(square, at), section_at(self.problem, self.chain, self.point, self.section.first, at)[0])
-            for at in points
-        )
-        yield route("section-seen", (close(ours, theirs, NEAR) for ours, theirs in pairs))
         yield route("section-ends", self._seen.distances(told))
         key = facts.description.key
         yield route("section-called", self._is_called(key, told))
