@@ -67,7 +67,7 @@ def _laid_out(chains: tuple[Chain, ...], room: float) -> Display:
         return Display((whole[0],)) if widths[0] <= room else _broken(chains, room)
     for count in _column_counts(len(chains)):
         if _grid_width(chains, count) <= room:
-            return Display(_grid_lines(chains, count))
+            return Display(_packed(_rows(chains, count), room) or _grid_lines(chains, count))
     return _broken(chains, room)
 
 
@@ -102,6 +102,27 @@ def _grid_lines(chains: tuple[Chain, ...], count: int) -> tuple[str, ...]:
     if count == len(chains):
         return (r" \qquad ".join(one_line(chain) for chain in chains),)
     return tuple(r" &\qquad ".join(map(_aligned, row)) for row in _rows(chains, count))
+
+
+def _packed(rows: list[tuple[Chain, ...]], room: float) -> tuple[str, ...]:
+    """Many rows of columns, which are high: as many of them beside each other as have room. None where few
+    lines are saved by it."""
+    if len(rows) < MANY or not all(_is_column(chain) for row in rows for chain in row):
+        return ()
+    head = max(row[0][0].width for row in rows)
+    lines: list[list[Chain]] = []
+    used = 0.0
+    for row in rows:
+        needed = sum(GAP + width(one_line(chain)) for chain in row)
+        if lines and used + needed <= room:
+            lines[-1] += row
+            used += needed
+        else:
+            lines.append([*row])
+            used = head + needed - GAP - row[0][0].width
+    if len(lines) > WORTH_PACKING * len(rows):
+        return ()
+    return tuple(r" \qquad ".join((_aligned(first), *map(one_line, others))) for first, *others in lines)
 
 
 def _aligned(chain: Chain) -> str:

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import re
+
 from derive.expression import Matrix, Sum, Symbol, number
 from derive.render.entries import with_named_entries
 from derive.render.latex import Printer
@@ -42,6 +44,19 @@ def test_short_equations_stand_side_by_side_and_long_ones_in_a_list() -> None:
     grid = lay_out(tuple(chain(name, long) for name in "abcd")).lines
     assert grid == (rf"a &= {long} &\qquad b &= {long}", rf"c &= {long} &\qquad d &= {long}")
     assert len(lay_out(tuple(chain(name, WIDE) for name in "abcd")).lines) == 4
+
+
+def test_many_columns_stand_beside_each_other() -> None:
+    def column(size: int) -> str:
+        return rf"\begin{{bmatrix}} {'x ' * size} \\\\ 0 \\\\ 0 \end{{bmatrix}}"
+
+    pairs = tuple(chain(f"{name}_{k}", column(1 + 12 * (k == 5))) for k in range(6) for name in "zo")
+    lines = lay_out(pairs).lines
+    assert len(lines) == 2 and lines[1].startswith("z_5 &=")
+    assert [name for line in lines for name in re.findall(r"[zo]_\d", line)] == [
+        each[0].latex for each in pairs
+    ]
+    assert all(width(line.replace("&", "")) <= LINE for line in lines)
 
 
 def test_what_cannot_break_is_marked_for_scaling() -> None:
