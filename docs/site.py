@@ -114,7 +114,8 @@ def _notebook(source: Path) -> str:
             continue
         lines += ["```python", text, "```", ""]
         for output in cell["outputs"]:
-            lines += _told("".join(output.get("text") or output["data"]["text/plain"]))
+            printed = "".join(output.get("text") or output["data"]["text/plain"])
+            lines += [*(f">     {line}" for line in printed.rstrip().splitlines()), ""]
     return "\n".join([*lines, "The notebook itself: [lecture.ipynb](lecture.ipynb)."])
 
 
