@@ -8,7 +8,8 @@ from itertools import chain
 from math import remainder, tau
 from typing import Any
 
-from derive.algebra.numbers.floats import completed, numbers
+from derive.algebra.numbers.compiled import Compiled, compiled
+from derive.algebra.numbers.floats import completed
 from derive.derivation import Derivation, Phrase, Step
 from derive.errors import NotDerivable, NotReal
 from derive.expression import Expr, Matrix, Symbol, walk
@@ -185,14 +186,15 @@ def _chosen(given: Setting, branches: Sequence[Followed]) -> Phrase:
 def _holds(given: Setting, told: Followed, closed: Closed) -> Any:
     """At points of the symbols where the arm reaches the path: in turn as the page tells it, and as the
     results say."""
+    results = [[compiled(tree) for tree in entries(each)] for each in closed]
     if given.driven is not None:
-        yield from _holds_at(given, told, closed, given.point)
+        yield from _holds_at(given, told, results, given.point)
         return
     met = 0
     for drawn in random_points(given.names - given.point.keys(), TRIES):
         try:
             point = {**drawn, **given.point}
-            truths = [*_holds_at(given, told, closed, point)]
+            truths = [*_holds_at(given, told, results, point)]
         except (*NOT_THERE, NotDerivable):
             continue
         yield from truths
@@ -203,7 +205,9 @@ def _holds(given: Setting, told: Followed, closed: Closed) -> Any:
         raise NotReal("no values of the symbols were found for which the path is within reach")
 
 
-def _holds_at(given: Setting, told: Followed, closed: Closed, point: Mapping[str, float]) -> Any:
+def _holds_at(
+    given: Setting, told: Followed, results: Sequence[Sequence[Compiled]], point: Mapping[str, float]
+) -> Any:
     driven = given.moving.numbers(point)
     known = dict(completed(point, given.problem.where))
 
@@ -213,7 +217,7 @@ def _holds_at(given: Setting, told: Followed, closed: Closed, point: Mapping[str
 
     def as_results(t: float) -> list[list[float]]:
         at = {**told.numbers({**known, T.name: t}), **known, T.name: t}
-        return [numbers(each, at) for each in closed]
+        return [[value(at) for value in each] for each in results]
 
     yield from carries(given.where, driven, in_turn, known)
     yield from carries(given.where, driven, as_results, known)
