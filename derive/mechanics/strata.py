@@ -12,10 +12,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
+from derive.algebra.bounds import at_most
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import Factored, TooLong, common_factor, factored
-from derive.errors import NotDerivable
+from derive.errors import NotDerivable, TooManyTerms
 from derive.mechanics.budget import Budget
 from derive.mechanics.chain import Chain
 from derive.mechanics.minors import maximal_minors, minor_of
@@ -25,6 +26,7 @@ from derive.mechanics.zeros import Write
 
 MOST_PRODUCTS = 400_000  # of terms, for all that follows the first sets
 MOST_LOCI = 120
+MOST_FOR_FACTORS = 1_500_000  # units of the work of an answer, for one set
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -167,8 +169,12 @@ class Strata:
     ) -> tuple[Scalar, list[Scalar], list[Scalar]] | None:
         """k, p and q of M_IJ = k p_I q_J; None where the factors do not come apart."""
         p_all, q_all = list(of_columns.values()), list(of_rows.values())
-        _, p = common_factor(p_all, self.search.variables)
-        _, q = common_factor(q_all, self.search.variables)
+        try:
+            with at_most(MOST_FOR_FACTORS):
+                _, p = common_factor(p_all, self.search.variables)
+                _, q = common_factor(q_all, self.search.variables)
+        except TooManyTerms:
+            return None
         p_0, q_0 = p[list(of_columns).index(rows)], q[list(of_rows).index(columns)]
         k = of_columns[rows] / (p_0 * q_0)
         if k.denominator is not None:

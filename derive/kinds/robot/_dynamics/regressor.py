@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.linear_dependence import dependencies
-from derive.errors import NotDerivable
+from derive.errors import NotDerivable, TooManyTerms
 from derive.expression import ZERO, Call, Expr, Indexed, Symbol, column, free_symbols, number
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
@@ -22,6 +22,8 @@ from derive.mechanics.joint_loads import reflected
 from derive.mechanics.poses import position_part, rotation_part
 from derive.mechanics.regressor import NAMES, columns, parameters_of, reference
 from derive.mechanics.robot import Link
+
+MOST_TERMS = 100_000  # of all columns
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,16 +49,20 @@ class Base:
 def standard_parameters(problem: Problem) -> tuple[Standard, ...]:
     """Of bodies, rotors and frictions, those that are not zero and act, in the order of the links.
 
-    Raises NotDerivable where a body or the friction of a joint changes with a joint variable.
+    Raises NotDerivable where a body or the friction of a joint changes with a joint variable, TooManyTerms
+    where there are more than anyone waits for.
     """
     _refuse_changing(problem)
     found = chain_of(problem)
     gravity = normal_matrix(column(gravity_of(problem.subject)))
     bodies = {body.i: body for body in weighted(problem, found)}
     parameters: list[Standard] = []
+    terms = 0
     for i, link in enumerate(problem.subject.links, 1):
-        if i in bodies:
-            parameters += _of_body(found, bodies[i], gravity)
+        for each in _of_body(found, bodies[i], gravity) if i in bodies else ():
+            parameters.append(each)
+            terms += sum(len(entry.numerator) for entry in each.column.entries)
+            _refuse_vast(terms)
         parameters += _of_rotor(problem, link)
     return (*parameters, *_of_friction(problem))
 
@@ -87,15 +93,21 @@ def _refuse_changing(problem: Problem) -> None:
         )
 
 
-def _of_body(found: Chain, body: Weighted, gravity: ScalarMatrix) -> list[Standard]:
+def _refuse_vast(terms: int) -> None:
+    if terms > MOST_TERMS:
+        raise TooManyTerms(
+            f"the regressor of this arm has more than {MOST_TERMS} terms; give numbers to lengths and "
+            "twists, quarter turns where they will do"
+        )
+
+
+def _of_body(found: Chain, body: Weighted, gravity: ScalarMatrix) -> Iterator[Standard]:
     motion, i = body.motion, body.i
     com = rotation_part(found.T[i]).T @ (motion.com - reference(found, i))
     values = parameters_of(motion.mass, com, motion.inertia)
     wanted = [name for name in NAMES if values[name]]
-    return [
-        Standard(_name(part.name, i), values[part.name], ScalarMatrix.column(part.column))
-        for part in columns(found, i, gravity, wanted)
-    ]
+    for part in columns(found, i, gravity, wanted):
+        yield Standard(_name(part.name, i), values[part.name], ScalarMatrix.column(part.column))
 
 
 def _of_rotor(problem: Problem, link: Link) -> list[Standard]:
