@@ -146,7 +146,7 @@ class Unfit(FormulaError):
 
 class NotDerivable(Exception):
     """What was asked has no answer this program can derive; the message says why. `about` is the option, or
-    the key of the subject, that it is about, where there is one."""
+    the key of the subject, that it is about, where there is one; point/link is a key within it."""
 
     def __init__(self, message: str = "", about: str = "") -> None:
         super().__init__(message)

@@ -94,13 +94,15 @@ def speech_of(derivation: Derivation, working: Problem) -> Speech:
 
 
 def _place_of(about: str, question: Question, working: Problem) -> Place:
-    """Where an option of a question stands, or a key of its subject; else the question itself."""
+    """Where an option of a question stands, or a key of its subject;
+    else the question itself."""
     answer = question.answer_at
     if about and answer is not None:
+        route = tuple(int(step) if step.isdigit() else step for step in about.split("/"))
         asked, problem = At(answer.source, answer.route[:-1]), At(answer.source, answer.route[:2])
         for at in (asked, problem / working.name):
-            if at.value((about,)) is not None:
-                return at.key((about,))
+            if at.value(route) is not None:
+                return at.key(route)
     return question.place
 
 

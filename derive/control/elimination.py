@@ -20,7 +20,7 @@ from derive.control.rational import Polynomial, polynomial, scalar, shared
 from derive.control.ratios import PLAIN, Ratio
 from derive.control.signals import signals, unknowns
 from derive.control.system import Equation, System
-from derive.errors import NotDerivable
+from derive.errors import NotDerivable, how_many
 from derive.expression import ZERO, Expr, Product, Symbol, add, multiply, rebuild
 
 MOST = 12  # equations whose determinant is taken
@@ -93,9 +93,11 @@ def without(expr: Expr, zero: Iterable[Symbol]) -> Expr:
 def _count(system: System, unknown: tuple[Symbol, ...]) -> None:
     if len(system.equations) != len(unknown):
         names = ", ".join(signal.name for signal in unknown)
+        equations = how_many(len(system.equations), "equation")
+        lacking = how_many(abs(len(unknown) - len(system.equations)), "equation")
+        remedy = f"add {lacking}" if len(unknown) > len(system.equations) else f"leave {lacking} out"
         raise NotDerivable(
-            f"{len(system.equations)} equation(s) for {len(unknown)} unknown signal(s) ({names})",
-            "equations",
+            f"{equations} for {how_many(len(unknown), 'unknown signal')} ({names}): {remedy}", "equations"
         )
 
 

@@ -46,9 +46,7 @@ def signals(system: System) -> tuple[Symbol, ...]:
     terms = sorted({term for equation in system.equations for term in _terms(equation)}, key=_difficulty)
     readings = list(_first(_readings(start, tuple(terms))))
     if not readings:
-        raise NotDerivable(
-            "the equations are not linear in signals: each term needs exactly one of them", "equations"
-        )
+        raise _not_linear(system, start)
     best = min(readings, key=lambda reading: _doubt(reading, system))
     names = dict.fromkeys(name for equation in system.equations for name in _in_order(equation))
     return tuple(Symbol(name) for name in names if name in best.signals)
@@ -57,6 +55,21 @@ def signals(system: System) -> tuple[Symbol, ...]:
 def unknowns(system: System, found: tuple[Symbol, ...]) -> tuple[Symbol, ...]:
     """The signals that the equations determine: all but the input and the disturbance."""
     return tuple(signal for signal in found if signal not in (system.input, system.disturbance))
+
+
+def _not_linear(system: System, start: Reading) -> NotDerivable:
+    """What is wrong with the equations: one that has no reading by itself, or all of them together."""
+    for k, equation in enumerate(system.equations):
+        if not any(_readings(start, tuple({*_terms(equation)}))):
+            terms = [*_terms(equation)]
+            why = "a term has none" if frozenset() in terms else "a term has none, several or a power of one"
+            return NotDerivable(
+                f"this equation is not linear in signals, of which each term needs exactly one: {why}",
+                f"equations/{k}",
+            )
+    return NotDerivable(
+        "the equations are not linear in signals: each term needs exactly one of them", "equations"
+    )
 
 
 def _readings(reading: Reading, terms: tuple[frozenset[str], ...]) -> Iterator[Reading]:

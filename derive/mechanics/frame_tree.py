@@ -54,13 +54,13 @@ def require_closed(frames: Frames, names: Names | None = None) -> None:
             )
 
 
-def ancestry(frames: Frames, number: int) -> tuple[Frame, ...]:
+def ancestry(frames: Frames, number: int, about: str = "") -> tuple[Frame, ...]:
     """The frames from the one in the world down to `number`, itself included; empty for the world.
 
-    Raises NotDerivable where there is no such frame.
+    Raises NotDerivable where there is no such frame; `about` is the option that asked for it.
     """
     if not 0 <= number <= len(frames.frames):
-        raise NotDerivable(f"there is no frame {number}: the frames are 0 to {len(frames.frames)}")
+        raise NotDerivable(f"there is no frame {number}: the frames are 0 to {len(frames.frames)}", about)
     found: list[Frame] = []
     while number:
         found.append(frames.frames[number - 1])
@@ -70,7 +70,7 @@ def ancestry(frames: Frames, number: int) -> tuple[Frame, ...]:
 
 def way(frames: Frames, source: int, target: int) -> Way:
     """How frame `source` is seen from frame `target`."""
-    up, down = ancestry(frames, source), ancestry(frames, target)
+    up, down = ancestry(frames, source, "from"), ancestry(frames, target, "to")
     shared = sum(a == b for a, b in zip(up, down, strict=False))
     meeting = up[shared - 1].number if shared else 0
     return Way(up[shared:], down[shared:], meeting)

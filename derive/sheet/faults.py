@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Set
 from difflib import SequenceMatcher, get_close_matches
-from functools import cache
 from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
 
 from derive.errors import FormulaError, SheetError
+from derive.sheet.branches import branches, keys, lengths, purpose
 from derive.sheet.cut import before, cut_fault, cut_off
-from derive.sheet.model_schema import model_schema
 from derive.sheet.source import At, Route
 
 MOST = 100  # faults of one value that are told one by one
+EXAMPLE = re.compile(r"\bas (?P<list>\[.*?\])")  # of what may stand in a field, in what is said of it
+OBJECT = re.compile(r"(?P<object>\{\w+: [^{}]*\})")  # likewise, in what is said of a model
+NAMED = re.compile(r"(\w+) \(([^)]*)\)")  # a choice, and whose it is
 NO_FORM = "no_form"  # the type of a fault where a value has none of the forms it could have
 WANTED = {
     "int": "a whole number is wanted here",
@@ -42,10 +45,14 @@ def retell(
     listed = error.errors(include_url=False)
     entries = [_Entry(dict(entry), at, adapter, tuple(more)) for entry in listed[:MOST]]
     faults = [(entry, entry.fault()) for entry in entries if not _told_before(entry, entries)]
-    misspelt = {(entry.route[:-1], fault.hint) for entry, fault in faults if entry.type == "extra_forbidden"}
+    misspelt = {
+        (entry.route[:-1], meant["key"])
+        for entry, fault in faults
+        if entry.type == "extra_forbidden" and (meant := MEANT.fullmatch(fault.hint))
+    }
     found: dict[tuple[Any, ...], SheetError] = {}
     for entry, fault in faults:
-        if entry.type == "missing" and (entry.route, f"did you mean {entry.location[-1]}?") in misspelt:
+        if entry.type == "missing" and entry.is_misspelt({key for at, key in misspelt if at == entry.route}):
             continue
         several = (
             fault.message if entry.type == "missing" else ""
@@ -67,6 +74,9 @@ def untold(count: int, at: At) -> list[SheetError]:
     if count <= 0:
         return []
     return [at.fault(f"{count} more faults are here", (), "mend those above first")]
+
+
+MEANT = re.compile(r"did you mean (?P<key>.*)\?")
 
 
 def did_you_mean(typed: str, known: Iterable[str], what: str = "") -> str:
@@ -130,6 +140,14 @@ class _Entry:
             return self._no_form()
         return self._other(str(error) if error else "")
 
+    def is_misspelt(self, meant: Set[str]) -> bool:
+        """Whether what is missing stands there misspelt, or a key with which it could not stand."""
+        name = self.location[-1]
+        if not meant or name in meant:
+            return bool(meant)
+        forms = [branch.get("properties", {}) for branch in branches(self.adapter, self.route)]
+        return not any(name in form and key in form for form in forms for key in meant)
+
     def _route(self) -> Route:
         """The location without the tags of unions (`=rod`), which are no keys of the file."""
         route: Route = ()
@@ -147,9 +165,10 @@ class _Entry:
         name, value = self.location[-1], self.at.value(self.route)
         if isinstance(name, int):
             count = len(value) if isinstance(value, list) else 0
-            return self.at.fault(
-                f"more values are wanted here than {count}", self.route, f"give at least {name + 1}"
-            )
+            counts = lengths(self.adapter, self.route)
+            wanted = " or ".join(map(str, sorted(counts))) or "more"
+            hint = _several(*counts) if len(counts) == 1 else "" if counts else f"give at least {name + 1}"
+            return self.at.fault(f"{wanted} values are wanted here, not {count}", self.route, hint)
         return self.at.fault(f"'{name}' is missing", self._owner(), f"add {name}: ...", key=True)
 
     def _owner(self) -> Route:
@@ -160,7 +179,7 @@ class _Entry:
     def _no_form(self) -> SheetError:
         """A misspelt key where there is one, else what could be written."""
         value = self.at.value(self.route)
-        known = self._known_keys(self.route)
+        known = keys(self.adapter, self.route)
         for key in value if isinstance(value, dict) else ():
             if key not in known:
                 hint = did_you_mean(key, known, "what can stand here")
@@ -171,7 +190,7 @@ class _Entry:
         name = str(self.route[-1])
         if isinstance(self.route[-1], int):
             return self.at.fault("too many values here", self.route)
-        known = (*self._known_keys(self.route[:-1]), *self._more())
+        known = (*keys(self.adapter, self.route[:-1]), *self._more())
         if name in known:  # of another form of what is described here
             beside = next(key for key in self.at.value(self.route[:-1]) if key != name)
             hint = f"leave it out, or describe it in the way in which {name} is used"
@@ -185,7 +204,14 @@ class _Entry:
     def _choice(self) -> SheetError:
         typed = str(self.at.value(self.route))
         known = [name.strip("' ") for name in str(self.context["expected"]).replace(" or ", ",").split(",")]
-        return self.at.fault(f"'{typed}' cannot stand here", self.route, did_you_mean(typed, known))
+        named = {
+            word.lower(): way
+            for way, words in NAMED.findall(purpose(self.adapter, self.route))
+            for word in words.split(", ")
+        }
+        way = named.get(typed.lower())
+        hint = f"write {way}" if way in known else did_you_mean(typed, known)
+        return self.at.fault(f"'{typed}' cannot stand here", self.route, hint)
 
     def _other(self, said: str) -> SheetError:
         if self.type in LIMITS:
@@ -194,7 +220,7 @@ class _Entry:
         if self.type == "too_short":
             least = self.context["min_length"]
             given = self.context.get("actual_length")
-            said = "this list is empty" if given == 0 else f"at least {least} must be given here"
+            said = "this list is empty" if given == 0 else f"at least {least} must be given here, not {given}"
             return self.at.fault(said, self.route)
         if self.type == "too_long":
             most, given = self.context["max_length"], self.context["actual_length"]
@@ -209,54 +235,28 @@ class _Entry:
 
     def _form(self) -> SheetError | None:
         """Where keys or a list are wanted: which keys, and how many values."""
-        branches = _branches(_schema(self.adapter), self.route)
+        forms = branches(self.adapter, self.route)
         if self.type in ("model_type", "model_attributes_type"):
-            required: list[str] = next((keys for branch in branches if (keys := branch.get("required"))), [])
+            required: list[str] = next((wanted for form in forms if (wanted := form.get("required"))), [])
             hint = f"write {{{', '.join(f'{key}: ...' for key in required)}}}" if required else ""
+            for form in forms:
+                if example := OBJECT.search(str(form.get("description", ""))):
+                    hint = f"write {example['object']}"
             return self.at.fault("keys with values are wanted here", self.route, hint)
         if self.type in ("list_type", "tuple_type"):
-            counts = {len(branch.get("prefixItems", ())) for branch in branches} - {0}
-            if len(counts) == 1:
-                several = f"[{', '.join(['...'] * counts.pop())}]"
-                return self.at.fault("a list is wanted here", self.route, f"write {several}")
-            value = self.at.value(self.route)
+            counts, value = lengths(self.adapter, self.route), self.at.value(self.route)
+            hint = "begin each entry with '- ', or write [{...}]" if isinstance(value, dict) else ""
             if isinstance(value, str):
-                return self.at.fault("a list is wanted here", self.route, f"write [{value}]")
+                hint = f"write [{value}]"
+            if example := EXAMPLE.search(purpose(self.adapter, self.route)):
+                hint = f"write {example['list']}"
+            elif len(counts) == 1:
+                hint = _several(counts.pop())
+            return self.at.fault("a list is wanted here", self.route, hint) if hint else None
+        if self.type == "dict_type":
+            return self.at.fault("keys with values are wanted here", self.route, "write {name: ...}")
         return None
 
-    def _known_keys(self, route: Route) -> list[str]:
-        """The keys that the value there could have, found in the JSON Schema."""
-        branches = _branches(_schema(self.adapter), route)
-        return list(dict.fromkeys(key for branch in branches for key in branch.get("properties", {})))
 
-
-def _branches(schema: dict[str, Any], route: Route) -> list[dict[str, Any]]:
-    """What the value there could be."""
-    branches = [schema]
-    for step in route:
-        branches = [part for branch in branches for part in _parts(schema, branch, step)]
-    return [flat for branch in branches for flat in _flat(schema, branch)]
-
-
-@cache
-def _schema(adapter: TypeAdapter[Any]) -> dict[str, Any]:
-    return model_schema(adapter)
-
-
-def _flat(schema: dict[str, Any], branch: dict[str, Any]) -> list[dict[str, Any]]:
-    """The branch with references resolved and alternatives spread out."""
-    if "$ref" in branch:
-        return _flat(schema, schema["$defs"][branch["$ref"].rsplit("/", 1)[-1]])
-    options = [*branch.get("anyOf", ()), *branch.get("oneOf", ())]
-    return [flat for option in options for flat in _flat(schema, option)] if options else [branch]
-
-
-def _parts(schema: dict[str, Any], branch: dict[str, Any], step: str | int) -> list[dict[str, Any]]:
-    found = []
-    for flat in _flat(schema, branch):
-        if isinstance(step, int):
-            prefix = flat.get("prefixItems", [])
-            found.append(prefix[step] if step < len(prefix) else flat.get("items"))
-        else:
-            found.append(flat.get("properties", {}).get(step, flat.get("additionalProperties")))
-    return [part for part in found if isinstance(part, dict)]
+def _several(count: int) -> str:
+    return f"write [{', '.join(['...'] * count)}]"

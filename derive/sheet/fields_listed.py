@@ -38,19 +38,19 @@ def listed(model: Any) -> tuple[Fields, ...]:
 
 
 def _forms(schema: Part, whole: Part) -> Iterator[Fields]:
-    waiting, seen = [*_objects(schema, whole)], set[str]()
+    waiting, seen = [*_objects(schema, whole)], set[Fields]()
     while waiting:
         part = waiting.pop(0)
-        form = _keys(part)
-        if form in seen:
-            continue
-        seen.add(form)
         fields = part["properties"]
-        yield Fields(
-            form,
+        form = Fields(
+            _keys(part),
             " ".join(str(part.get("description", "")).split()),
             tuple(_field(name, each, whole) for name, each in fields.items()),
         )
+        if form in seen:
+            continue
+        seen.add(form)
+        yield form
         waiting += [inner for each in fields.values() for inner in _objects(each, whole)]
 
 

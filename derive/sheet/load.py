@@ -191,7 +191,8 @@ def _doubts(at: At, data: dict[str, Any], subject: Any) -> Iterator[SheetError]:
 def _known(at: At, given: GivenSheet | GivenProblem, outer: Known) -> Known:
     where = {**outer.where, **given.where}
     if name := cycle(where):
-        raise at.error(f"the value of {name} leads back to itself", ("where", name))
+        hint = "give it a value, or one in other names"
+        raise at.error(f"the value of {name} leads back to itself", ("where", name), hint)
     if name := nested(where):
         hint = "give a name on the way to it no value"
         message = f"with the values of its names put in, {name} is nested too deeply"

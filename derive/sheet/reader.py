@@ -102,7 +102,10 @@ class _Reading:
         if self.count == MAX_VALUES or (self.count < MAX_VALUES and len(route) > MAX_DEPTH):
             self.fault(node, "too much is nested or repeated here", "write it out, or make it several sheets")
             self.count = MAX_VALUES
-        self.spots[route] = Spot(node.start_mark.line, node.start_mark.column, key, _style(node))
+        line, column = node.start_mark.line, node.start_mark.column
+        if key and line > key[0] and node.start_mark.index == node.end_mark.index:
+            line, column = key  # nothing stands behind the key: what comes next is not its value
+        self.spots[route] = Spot(line, column, key, _style(node))
         if self.count >= MAX_VALUES:
             return None
         if node.tag not in TAGS:

@@ -6,6 +6,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
+from derive.errors import SheetErrors
 from derive.kinds.fields import described
 from derive.kinds.registry import kinds_of
 from derive.kinds.registry import load as kind
@@ -17,6 +18,8 @@ from derive.sheet.reader import read
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known, load, subjects
 from derive.sheet.unfilled import unfilled
+
+A_FILE = ", or the path of a file that ends in .yaml"
 
 
 def subject_name(at: At, data: dict[str, Any]) -> str:
@@ -61,7 +64,13 @@ def subject_place(at: At, name: str) -> At:
 
 def read_subject(at: At, name: str, known: Known) -> Any:
     """The model of the subject written at `at`. Raises SheetErrors."""
-    return checked(load(name).Given, at, at.value(), known.names)
+    try:
+        return checked(load(name).Given, at, at.value(), known.names)
+    except SheetErrors as errors:
+        if not isinstance(typed := at.value(), str):
+            raise
+        told = errors.errors[0]
+        raise at.error(f"'{typed}' is no {name} and no path of a file", (), f"{told.hint}{A_FILE}") from None
 
 
 def _beside(at: At, name: str, typed: str) -> Path:

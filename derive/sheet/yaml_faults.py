@@ -12,6 +12,8 @@ from derive.sheet.tex import COMMANDS
 
 QUOTES = "use single quotes around TeX: '\\theta'"
 ESCAPE = re.compile(r"\\(?:([0abtvfreNLP_])|(n)([A-Za-z]*)|x..|u.{4}|U.{8}|.)", re.DOTALL)
+FIRST_KEY = re.compile(r"\s*(?:- +)?(?P<key>[\w-]+)")  # of a line
+ALIGN = "line it up with them; a text that goes on stands in quotes, or after '|'"
 SEPARATORS = "\u0085\u2028\u2029"
 
 # What the parser says -> what is wrong, what to write instead. The first that fits is taken.
@@ -52,6 +54,13 @@ def explain(error: Exception, path: Path, lines: tuple[str, ...]) -> SheetError:
     place = Place(str(path), line + 1, column + 1, text)
     if re.search(r"\\[A-Za-z]", text[:column]) and "expected ',' or" in said:
         return SheetError("TeX in braces needs quotes around it", place, TEX)
+    if "mapping values" in said and (key := FIRST_KEY.fullmatch(text[:column])):
+        further_in = Place(str(path), line + 1, key.start("key") + 1, text)
+        return SheetError("this line is further in than the keys above it", further_in, ALIGN)
+    opened = getattr(error, "context_mark", None)
+    if opened is not None and "a flow" in said and opened.line < line and FIRST_KEY.match(text):
+        at_bracket = Place(str(path), opened.line + 1, opened.column + 1, lines[opened.line])
+        return SheetError("this bracket is never closed", at_bracket, "write the missing bracket")
     for sign, message, hint in MEANINGS:
         if sign in said:
             return SheetError(message, place, hint)

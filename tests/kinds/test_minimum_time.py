@@ -142,7 +142,7 @@ def test_a_scaled_motion_is_the_fastest(tmp_path: Path, law: str) -> None:
         ("{from: 0, to: 1}", "quintic", "no limit"),
         ("{from: 0, to: 1, a_max: 1}", "trapezoidal", "both limits"),
         ("{from: 0, to: 1, a_max: 1, start_velocity: 1}", "cubic", "at rest"),
-        ("{from: 0, to: 1, a_max: 1, v_max: 1, start_velocity: 2}", "bang-bang", "beyond the limit"),
+        ("{from: 0, to: 1, a_max: 1, v_max: 1, start_velocity: 2}", "bang-bang", "beyond v_max"),
         ("{from: 0, to: d, a_max: 1, start_velocity: 1}", "bang-bang", "without numbers"),
         ("{from: 2, to: 2, a_max: 1}", "cubic", "nothing to move"),
         (

@@ -8,6 +8,7 @@ from derive.algebra.formulas.tokens import Token
 from derive.errors import FormulaError, Unfit
 
 MAX_NESTING = 40
+OPERATORS = frozenset("+-*/^=")
 
 
 class Cursor:
@@ -58,6 +59,8 @@ class Cursor:
         """The error for the next token, which cannot stand there."""
         token = self.next
         if token.kind == "end":
+            before = self.tokens[self.at - 1].text if self.at else ""
+            hint = hint or (f"write what stands behind the {before}" if before in OPERATORS else "")
             return FormulaError(f"{self.whole} ends too early", token.offset, hint)
         written = f"\\{token.text}" if token.kind == "command" else token.text
         return FormulaError(f"'{written}' cannot stand here", token.offset, hint)

@@ -113,10 +113,22 @@ class _Parser:
         """The rest of the text as one formula of the wanted dimension."""
         found = self.expression(0)
         if self.cursor.next.kind != "end":
-            raise self.cursor.unexpected()
+            raise self.cursor.unexpected(self._instead())
         if isinstance(self.wanted, tuple) and not agree(found.dimension or self.wanted, self.wanted):
             raise self._wrong_dimension(found, spoken(self.wanted))
         return found.expr
+
+    def _instead(self) -> str:
+        """What to write where a formula should have ended."""
+        before = self.cursor.tokens[self.cursor.at - 1]
+        match self.cursor.ahead(2):
+            case ",", digits if before.kind == "number" and digits.isdigit():
+                return f"write a decimal with a point: {before.text}.{digits}"
+            case "=", *_:
+                return "a formula is wanted here, no equation"
+            case ")", *_:
+                return "it closes no parenthesis"
+        return ""
 
     def expression(self, binding: int) -> Quantity:
         """What binds tighter than `binding`, from here on."""

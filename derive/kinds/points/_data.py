@@ -31,7 +31,7 @@ class Data:
     @staticmethod
     def of(pairs: PointPairs, problem: Problem) -> Data:
         """Raises NotDerivable where a coordinate is no number."""
-        return Data(_columns(pairs.source, problem), _columns(pairs.target, problem))
+        return Data(_columns(pairs.source, problem, "from"), _columns(pairs.target, problem, "to"))
 
     @property
     def centroids(self) -> tuple[ScalarMatrix, ScalarMatrix]:
@@ -49,14 +49,14 @@ class Data:
         return _rows(self.a), _rows(self.b)
 
 
-def _columns(points: Points, problem: Problem) -> tuple[ScalarMatrix, ...]:
+def _columns(points: Points, problem: Problem, key: str) -> tuple[ScalarMatrix, ...]:
     columns = tuple(ScalarMatrix.column(normal(entry, problem.names) for entry in p) for p in points)
     for column in columns:
         try:
             matrix_numbers(column, {})
         except KeyError as error:
             message = f"a transform is fitted to numbers: {error.args[0]} has no value (give one under where)"
-            raise NotDerivable(message) from error
+            raise NotDerivable(message, key) from error
     return columns
 
 

@@ -74,12 +74,12 @@ def _best(fit: Fit) -> Phrase:
 
 
 def _require_spread(a: list[ScalarMatrix], b: list[ScalarMatrix]) -> None:
-    for points, which in ((a, "first"), (b, "second")):
+    for points, which, key in ((a, "first", "from"), (b, "second", "to")):
         if collinear(points):
             where = "lie on a line" if points[0].shape[0] == 3 else "coincide"
             why = "turning about that line changes nothing" if points[0].shape[0] == 3 else "any turn fits"
             raise NotDerivable(
-                f"the points in the {which} frame all {where}: {why}, so no rotation is the best"
+                f"the points in the {which} frame all {where}: {why}, so no rotation is the best", key
             )
 
 

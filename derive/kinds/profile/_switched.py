@@ -121,9 +121,9 @@ def _braked(motion: Motion) -> Motion:
     rising = work.sign(v_f - v_0)
     if rising is None:
         raise NotDerivable(NUMBERS_ONLY)
-    for speed in (v_0, v_f):
+    for speed, end in ((v_0, "start"), (v_f, "end")):
         if motion.fastest and speed != ZERO and work.sign(squared(motion.fastest) - squared(speed)) == -1:
-            raise NotDerivable("a velocity at an end is beyond the limit")
+            raise NotDerivable(f"the velocity at the {end} is beyond v_max", f"{end}_velocity")
     high, low = (v_f, v_0) if rising > 0 else (v_0, v_f)
     top = subtract(*(squared(speed) if speed != ZERO else ZERO for speed in (high, low)))
     work = work.worked(D_B.name, top / (2 * motion.a))

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.errors import NotDerivable
+from derive.errors import NotDerivable, how_many
 from derive.expression import ZERO, Expr, Symbol, column
 from derive.kinds.fields import OptionsModel, Point
 from derive.kinds.problem import Problem
@@ -76,12 +76,11 @@ def tracked(problem: Problem, chain: Chain, point: PointOn | None) -> Tracked:
     rows = len(chain.T_local)
     at = ORIGIN if point is None else point.at
     frame = rows if point is None else next((n for n in (point.link, point.frame) if n is not None), rows)
+    key = "point/link" if point is not None and point.link is not None else "point/frame"
     if frame > rows:
-        raise NotDerivable(
-            f"the point is on link {frame}, but the arm has {rows} row{'s' * (rows != 1)}", "point"
-        )
+        raise NotDerivable(f"the point is on link {frame}, but the arm has {how_many(rows, 'row')}", key)
     if frame == 0:
-        raise NotDerivable("frame 0 stands still: no joint moves this point", "point")
+        raise NotDerivable("frame 0 stands still: no joint moves this point", key)
     if point is None and problem.subject.ends_in_tool:
         return Tracked(Symbol("o_e"), position_part(chain.T_tool), rows + 1, rows + 1, at)
     o, R = position_part(chain.T[frame]), rotation_part(chain.T[frame])

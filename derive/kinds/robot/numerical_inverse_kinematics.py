@@ -307,7 +307,7 @@ def _there(arm: Arm, run: Iteration, target: Sequence[float]) -> tuple[Step, ...
     place, J_now = arm.pose(run.rows[-1].q)
     J_here = Matrix(tuple(tuple(Approximate(float(each)) for each in row) for row in J_now))
     error = column(Approximate(r - f) for r, f in zip(target, place, strict=True))
-    return Step("J_here", (J, J_here), "numbers"), Step("e_here", (E, error), "numbers")
+    return Step("J_here", (J, J_here), "in-numbers"), Step("e_here", (E, error), "in-numbers")
 
 
 def _at_start(arm: Arm, options: Options) -> tuple[Step, ...]:
@@ -320,7 +320,7 @@ def _at_start(arm: Arm, options: Options) -> tuple[Step, ...]:
     if [*J_here, error] != found:
         return ()
     J_matrix = Matrix(tuple(map(tuple, J_here)))
-    return Step("J_here", (J, J_matrix), "numbers"), Step("e_here", (E, column(error)), "numbers")
+    return Step("J_here", (J, J_matrix), "in-numbers"), Step("e_here", (E, column(error)), "in-numbers")
 
 
 def _solution(arm: Arm, run: Iteration) -> tuple[tuple[Symbol, Expr], ...]:

@@ -105,7 +105,7 @@ def _unsigned(tree: Expr) -> Expr:
 def seen(found: LinearMap, told: Falls, rank: int, starts: Iterator[Point]) -> Iterator[bool]:
     """Where what is told vanishes the rank of J by another route is lower, where that is lower what is told
     vanishes, and at general places neither."""
-    free = [name for name in found.variables if name not in dict(found.place)]
+    free = [name for name in found.variables if name in found.symbols]
     cases = [*((one,) for one in told.alone), *([told.together] if told.together else [])]
     for start in islice(starts, 3):
         yield _rank(found.numbers(start)) == rank
