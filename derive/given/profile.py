@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from derive.algebra.formulas.with_units import measured
 from derive.derivation import Cell, Phrase, Table
-from derive.expression import ZERO, Expr
+from derive.expression import ZERO, Expr, Symbol
 from derive.given.datum import Datum
 from derive.kinds.problem import Problem
-from derive.mechanics.profile import Axis, Journey, Profile, Units, Via
+from derive.mechanics.profile import Axis, JointPath, Journey, Profile, Units, Via
 
 ENDS = ("start_velocity", "end_velocity", "start_acceleration", "end_acceleration")
 BLENDS = ("cruise", "acceleration", "blend")  # how a line with blends is made
@@ -25,6 +25,9 @@ IN_QUESTIONS = True
 def data(profile: Profile, problem: Problem) -> Iterator[Datum]:
     """A table of the axes where there are several; else a sentence for each size."""
     units = profile.units
+    if profile.path is not None:
+        yield from _path(profile.path)
+        return
     if len(profile.axes) > 1:
         yield _axes(profile.axes, units)
     elif profile.journey and not _is_distance(profile.axes, profile.journey):
@@ -32,6 +35,22 @@ def data(profile: Profile, problem: Problem) -> Iterator[Datum]:
     else:
         yield from _sizes(profile.axes[0], ("distance", *LIMITS), units)
     yield from _sizes(profile, ("time",), units)
+
+
+def _path(path: JointPath) -> Iterator[Datum]:
+    """The places, the range, and a table of the limits."""
+    q = tuple(Symbol(f"q_{k}") for k, _ in enumerate(path.places, 1))
+    chains = tuple(zip(q, path.places, strict=True))
+    said = Phrase("path", {"s": Symbol(path.parameter)})
+    yield Datum(said, equations=chains, ours=frozenset(name.name for name in q))
+    low, high = path.between
+    yield Datum(
+        Phrase("path-range", {"s": Symbol(path.parameter), "low": low, "high": high}), words=("rest",)
+    )
+    limits = tuple(each for each in (path.v_max, path.a_max) if each)
+    rows = tuple((str(k), *map(measured, each)) for k, each in enumerate(zip(*limits, strict=True), 1))
+    keys = ("v_max", "a_max") if path.v_max else ("a_max",)
+    yield Datum(Phrase("path-limits"), Table((Phrase("axis-number"), *map(Phrase, keys)), rows))
 
 
 def _said(value: Expr, key: str, units: Units) -> Expr:

@@ -72,11 +72,29 @@ class Journey:
 
 
 @dataclass(frozen=True, slots=True)
+class JointPath:
+    """Axes that go together along a path: each a function of the parameter, between two values of it, within
+    limits of velocity (none where the list is empty) and acceleration."""
+
+    parameter: str
+    places: tuple[Expr, ...]
+    between: tuple[Expr, Expr]
+    v_max: tuple[Expr, ...]
+    a_max: tuple[Expr, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Profile:
-    """Axes to be moved within limits, or a journey; `time` is the whole duration where it is given."""
+    """Axes to be moved within limits, a journey, or a path; `time` is the whole duration where given."""
 
     axes: tuple[Axis, ...] = ()
     journey: Journey | None = None
     time: Expr | None = None
     sort: Sort = ""
     units: Units = NO_UNITS
+    path: JointPath | None = None
+
+    @property
+    def defines(self) -> frozenset[str]:
+        """The parameter of the path, which the answer uses as its author does."""
+        return frozenset({self.path.parameter}) if self.path else frozenset()

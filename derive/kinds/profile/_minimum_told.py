@@ -13,6 +13,7 @@ from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Relation
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
+from derive.kinds.profile._along.told import PathTold
 from derive.kinds.values_at import point_of
 from derive.mechanics.profile import NO_UNITS, Units
 
@@ -53,6 +54,7 @@ class Facts(PageFacts):
     reached: Phrase | None = None  # by several axes
     table: Table | None = None
     switched: SwitchedTold | None = None
+    path: PathTold | None = None
     drawn: bool = False
     at_point: Phrase | None = None
 

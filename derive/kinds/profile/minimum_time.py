@@ -11,6 +11,7 @@ from derive.figures.courses import panels
 from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.profile._along.told import fastest_along
 from derive.kinds.profile._fastest import fastest
 from derive.kinds.profile._fixed_shape import shaped
 from derive.kinds.profile._minimum_told import Facts as Facts
@@ -24,23 +25,28 @@ from derive.kinds.values_at import point_of
 from derive.mechanics.profile import Profile
 
 USES = frozenset({"start_velocity", "end_velocity"})
+NO_PATH = "no path is given: profile: {path: [..], a_max: [..]}"
+ONLY_PATH = "along a path that is given the motion is found with law: path"
 CLAIMED = dict.fromkeys(
     ("time", "v_peak", "a_peak", "solutions", "t_1", "t_2", "v"), "as-told|no-time-is-shorter"
 )
+CLAIMED |= dict.fromkeys(("t", "parameter"), "limits-kept")
 
 
 class Options(OptionsModel):
     """Where symbols stand for the distance and the limits, `evaluate` gives the time at a point and draws the
     motion."""
 
-    law: Literal["cubic", "quintic", "cycloidal", "trapezoidal", "bang-bang"] = "trapezoidal"
+    law: Literal["cubic", "quintic", "cycloidal", "trapezoidal", "bang-bang", "path"] = "trapezoidal"
     """How the distance is covered; trapezoidal is as fast as the limits allow and may begin and end with a
-    velocity, and bang-bang needs no limit of that."""
+    velocity, bang-bang needs no limit of that, and path is as fast as the limits allow along a path."""
     evaluate: Evaluation = None
 
 
 def claims_of(profile: Profile, options: Options) -> tuple[str, ...]:
     """The keys of what is claimed."""
+    if profile.path is not None:
+        return ("path-lines", "limits-kept", "no-time-is-shorter", "binding-limits")
     if options.law in ("trapezoidal", "bang-bang"):
         return ("no-time-is-shorter", "binding-limits")
     return ("as-told", "right-case", *(("on-axes",) if len(profile.axes) > 1 else ()))
@@ -52,6 +58,10 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
 
     Raises NotDerivable where a time is given, and where the slowest of several axes cannot be told.
     """
+    if (profile.path is None) == (options.law == "path"):
+        raise NotDerivable(NO_PATH if profile.path is None else ONLY_PATH, "law")
+    if profile.path is not None:
+        return fastest_along(profile.path, options.evaluate, problem)
     if profile.time is not None:
         raise NotDerivable("the time is what is looked for, and one is given; leave it out", "time")
     journey = profile.journey
@@ -60,7 +70,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         if moving or (options.law == "bang-bang" and not profile.axes):
             return fastest_between(profile, options.evaluate, problem)
         return fastest(profile, options.evaluate, problem)
-    if moving:
+    if moving or options.law == "path":
         raise NotDerivable("a motion by this law begins and ends at rest; law: bang-bang need not", "law")
     each = shaped(options.law, profile, problem)
     outcomes = tuple(case.outcome for case in each.cases)

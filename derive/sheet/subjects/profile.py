@@ -15,16 +15,16 @@ from derive.algebra.formulas.units import TIME as SECONDS
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
 from derive.errors import FormulaError, NotDerivable, SheetError
-from derive.expression import PI, ZERO, Degrees, Expr, free_symbols, multiply, number, rebuild, walk
-from derive.kinds.fields import TREES, OptionsModel, Time, declared, text_of
-from derive.mechanics.profile import NO_UNITS, Axis, Journey, Profile, Sort, Units, Via
+from derive.expression import ONE, PI, ZERO, Degrees, Expr, free_symbols, multiply, number, rebuild, walk
+from derive.kinds.fields import TREES, Name, OptionsModel, Quantity, Time, declared, text_of
+from derive.mechanics.profile import NO_UNITS, Axis, JointPath, Journey, Profile, Sort, Units, Via
 from derive.sheet.checked import values_in
 from derive.sheet.faults import NO_FORM
 from derive.sheet.source import At, Faults, Route
 from derive.sheet.subjects.registry import Known
 
 # Limits are told to be kept or not by every kind; how fast the middle part is belongs to one.
-HARMLESS = frozenset({"time", "v_max", "a_max"})
+HARMLESS = frozenset({"time", "v_max", "a_max", "parameter", "range"})
 SHARED = frozenset({"cruise", "acceleration", "blend"})
 FORMS = "write {distance: d, v_max: v_M, a_max: a_M}, a list of such axes, or {from: q0, to: qf, time: t_f}"
 
@@ -157,11 +157,26 @@ class GivenJourney(OptionsModel):
     """The greatest acceleration that is allowed."""
 
 
+class GivenPath(OptionsModel):
+    """A path of several axes, from rest to rest."""
+
+    path: Annotated[list[Quantity], Field(min_length=1, max_length=12)]
+    """The place of each axis as a function of the parameter."""
+    parameter: Name = "s"
+    """The name of the parameter."""
+    range: tuple[Quantity, Quantity] = (ZERO, ONE)
+    """The values of the parameter at the start and at the end; 0 and 1 if left out."""
+    v_max: Annotated[list[Quantity], Field(max_length=12)] = Field(default=[])
+    """The greatest velocity of each axis; without limits if left out."""
+    a_max: Annotated[list[Quantity], Field(max_length=12)]
+    """The greatest acceleration of each axis."""
+
+
 def _form(value: Any) -> str | None:
     if isinstance(value, list):
         return "=list"
     keys = value if isinstance(value, dict) else ()
-    forms = {"axes": "=axes", "from": "=journey", "to": "=journey", "distance": "=one"}
+    forms = {"path": "=path", "axes": "=axes", "from": "=journey", "to": "=journey", "distance": "=one"}
     return next((form for key, form in forms.items() if key in keys), None)
 
 
@@ -169,6 +184,7 @@ Given: TypeAlias = Annotated[
     Annotated[GivenOne, Tag("=one")]
     | Annotated[GivenAxes, Tag("=axes")]
     | Annotated[GivenJourney, Tag("=journey")]
+    | Annotated[GivenPath, Tag("=path")]
     | Annotated[list[GivenAxis], Field(min_length=1, max_length=12), Tag("=list")],
     Discriminator(_form, custom_error_type=NO_FORM, custom_error_message=FORMS),
 ]
@@ -176,6 +192,8 @@ Given: TypeAlias = Annotated[
 
 def build(given: Given, at: At, known: Known) -> Profile:
     """The profile. Raises SheetErrors: limits that are not positive, lengths beside angles, no way to go."""
+    if isinstance(given, GivenPath):
+        return _along(given, at, known)
     Faults(_faults(given, at, known)).settle()
     if _mixes_degrees(given):
         given = _in_radians(given)
@@ -191,10 +209,34 @@ def build(given: Given, at: At, known: Known) -> Profile:
         nothing = (ZERO,) * 4
         whole = Journey(ZERO, axis.distance, *nothing, v_max=axis.v_max, a_max=axis.a_max)
         return Profile((axis,), whole, given.time, sort, _units(given, sort, known))
-    listed = given.axes if isinstance(given, GivenAxes) else given
+    listed = given.axes if isinstance(given, GivenAxes) else given if isinstance(given, list) else []
     time = given.time if isinstance(given, GivenAxes) else None
     shared: Sort = sort if len(_sorts(given)) < 2 else ""
     return Profile(tuple(map(_axis, listed)), None, time, shared, _units(given, shared, known))
+
+
+def _along(given: GivenPath, at: At, known: Known) -> Profile:
+    """Raises SheetErrors: not a limit for each axis, a parameter that is none, a range that is none."""
+    Faults(_wrong_path(given, at, known)).settle()
+    path = JointPath(given.parameter, tuple(given.path), given.range, tuple(given.v_max), tuple(given.a_max))
+    return Profile(path=path)
+
+
+def _wrong_path(given: GivenPath, at: At, known: Known) -> Iterator[SheetError]:
+    for key, limits in (("v_max", given.v_max), ("a_max", given.a_max)):
+        if len(limits) != len(given.path) and (limits or key == "a_max"):
+            yield at.fault(f"{len(limits)} limits for {len(given.path)} axes", (key,), "give each axis one")
+        for k, limit in enumerate(limits):
+            size = _number(limit, known)
+            if size is not None and size <= 0:
+                yield at.fault(f"{key} must be positive", (key, k), "limits are sizes")
+    if given.parameter in known.where:
+        yield at.fault(f"'{given.parameter}' has a value under where: and cannot vary", ("path",))
+    elif all(given.parameter not in free_symbols(tree) for tree in given.path):
+        hint = "say which letter is: parameter: u"
+        yield at.fault(f"the path does not depend on '{given.parameter}'", ("path",), hint)
+    if known.sign(given.range[1] - given.range[0]) in (0, -1):
+        yield at.fault("the range ends before it begins", ("range",), "write range: [from, to]")
 
 
 def missing(subject: Profile, need: str, at: At) -> list[SheetError]:

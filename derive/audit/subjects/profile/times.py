@@ -12,6 +12,7 @@ from derive.audit.asked import EVALUATED, Asked, Holds, Same, Test
 from derive.audit.conditions import holds
 from derive.audit.points import NEAR, Point, floating
 from derive.audit.putting_back import put_back
+from derive.audit.subjects.profile.along import fastest
 from derive.audit.subjects.profile.trapezoid import trapezoid
 from derive.expression import Expr
 
@@ -50,6 +51,9 @@ def _flat() -> mpmath.mpf:
 
 def minimum_time(asked: Asked, point: Point) -> Iterator[Test]:
     """The longest of the times that the limits of all axes need."""
+    if asked.subject.path is not None:
+        yield from fastest(asked, point)
+        return
     moving = asked.subject.journey and not _at_rest(asked)
     if moving or (asked.options.law == "bang-bang" and not asked.subject.axes):
         yield from _held(asked, point, _switched)
