@@ -17,7 +17,7 @@ from benchmarks.cases import SHEETS
 ROOT = Path(__file__).parent.parent
 EXERCISES = ROOT / "exercises"
 LIMIT = 60.0  # seconds
-DERIVE = "from derive.cli import main; main()"
+DERIVE = "from derive.__main__ import main; main()"
 
 
 @dataclass(frozen=True, slots=True)

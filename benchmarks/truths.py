@@ -31,6 +31,9 @@ NONE = ""
 
 def truth_shares(say: Callable[[str], None]) -> dict[str, float]:
     """The share of each truth in the time that it takes to build every exercise."""
+    from derive.__main__ import keep_to_one_thread
+
+    keep_to_one_thread()  # as the command does, before NumPy is imported
     from derive.build import derive_all
     from derive.sheet.load import load_sheet
     from derive.writing import render

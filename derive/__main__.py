@@ -10,12 +10,20 @@ def main() -> None:
     """Runs the command line."""
     try:
         _open_streams()
+        keep_to_one_thread()
         from derive.cli import main as command
 
         command()
     except KeyboardInterrupt:
         os.write(2, b"Aborted!\n")
         sys.exit(1)
+
+
+def keep_to_one_thread() -> None:
+    """NumPy's matrices are small here: more threads would but wait for each other, and take the processors
+    from the sheets that are built at the same time."""
+    for library in ("OPENBLAS", "MKL"):
+        os.environ.setdefault(f"{library}_NUM_THREADS", "1")
 
 
 def _open_streams() -> None:
