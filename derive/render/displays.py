@@ -77,10 +77,12 @@ class Displays(ToldSoFar):
             self.kept.extend(self.printed[first:])
         return written
 
-    def lengthy(self, name: str | Step) -> bool:
-        """Whether the matrix in which a step ends is wider than a line, so that entries of it are listed."""
+    def lengthy(self, name: str | Step, scaled: bool = False) -> bool:
+        """Whether the matrix in which a step ends is wider than a line, so that entries of it are listed; one
+        that may be `scaled` can be somewhat wider."""
         step, printer = self._step(name), self._printer(None)
-        return bool(with_named_entries(self.values.shown(step.chain), printer, LINE, step.entries)[1])
+        widest = NAMED_BEYOND if scaled else LINE
+        return bool(with_named_entries(self.values.shown(step.chain), printer, widest, step.entries)[1])
 
     def _display(
         self, chains: tuple[tuple[Expr, ...], ...], printer: Printer, namings: tuple[Naming, ...] = (),

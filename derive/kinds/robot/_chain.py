@@ -16,6 +16,7 @@ from derive.mechanics.robot import DHRow, Robot
 
 TOOL = "e"  # the end-effector's frame where a tool follows the last row
 LINKS_ALONE = frozenset({"forward-kinematics"})  # unread by what needs no more than the poses of the links
+BODIES_ALONE = frozenset({"inertia-matrix"})  # unread by what needs no more than their part in the sums
 
 
 def chain_of(problem: Problem) -> Chain:

@@ -8,6 +8,7 @@ from derive.expression import ZERO, Symbol
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
+from derive.kinds.robot._chain import BODIES_ALONE
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.christoffel_lines import (
     left_out,
@@ -61,7 +62,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         numbers=listed(results, symbols),
         remark=left_out(results, symbols),
     )
-    return work.law("listed", left_out_rightly(facts, symbols)).answer("christoffel", results, facts)
+    return work.law("listed", left_out_rightly(facts, symbols)).answer(
+        "christoffel", results, facts, unread=BODIES_ALONE
+    )
 
 
 def _others(big: bool, count: int, vanish: int, told: int) -> Phrase | None:

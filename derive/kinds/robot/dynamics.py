@@ -9,6 +9,7 @@ from derive.expression import ZERO, column
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
+from derive.kinds.robot._chain import BODIES_ALONE
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.christoffel_lines import left_out, left_out_rightly, listed
 from derive.kinds.robot._dynamics.drives import Facts as Facts
@@ -74,4 +75,4 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         any(each.coulomb != ZERO for each in rubs),
     )
     work = work.law("friction-said", (facts.rubbing.key if facts.rubbing else "") == FRICTIONS[sorts])
-    return work.answer("dynamics", results, facts, matrices=frozenset({"D"}))
+    return work.answer("dynamics", results, facts, matrices=frozenset({"D"}), unread=BODIES_ALONE)

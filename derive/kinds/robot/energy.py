@@ -24,7 +24,7 @@ from derive.expression import (
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, by_index
-from derive.kinds.robot._chain import chain_of
+from derive.kinds.robot._chain import BODIES_ALONE, chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, inertias, weighted
 from derive.kinds.robot._dynamics.drives import ROTORS, rotors
@@ -86,7 +86,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     results = {name: work.final(name) for name in parts}
     weights = tuple((Symbol(name), value) for name, value in results.items() if name.startswith("P_"))
     work = by_index(work, results, MEANINGS)
-    return work.answer("energy", results, Facts(big=arm.long, potential=() if arm.long else weights))
+    facts = Facts(big=arm.long, potential=() if arm.long else weights)
+    return work.answer("energy", results, facts, unread=BODIES_ALONE)
 
 
 def _velocities(work: Work, bodies: tuple[Weighted, ...]) -> Work:

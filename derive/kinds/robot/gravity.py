@@ -7,7 +7,7 @@ from derive.expression import ZERO, Derivative, Symbol, add, column, symbols, tr
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
-from derive.kinds.robot._chain import LINKS_ALONE, chain_of, oracle_of
+from derive.kinds.robot._chain import BODIES_ALONE, LINKS_ALONE, chain_of, oracle_of
 from derive.kinds.robot._dynamics.at_rest import NEARLY, Rubbing, held_by_friction
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.body_steps import (
@@ -66,7 +66,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = work.agrees(
             "dry-friction-told", problem.symbols | {"g"}, told.as_told, told.as_it_moves, NEARLY
         )
-    return by_index(work, results).answer("gravity", results, facts, unread=LINKS_ALONE)
+    return by_index(work, results).answer("gravity", results, facts, unread=LINKS_ALONE | BODIES_ALONE)
 
 
 def _is_alone(problem: Problem) -> bool:

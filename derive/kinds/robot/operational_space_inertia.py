@@ -30,6 +30,7 @@ from derive.kinds.checks import close, route
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import BODIES_ALONE
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.at_a_point import AtAPoint, at_a_point, rounded
 from derive.kinds.robot._dynamics.inertia_seen import inertia_at, inertia_by_equations, shown_as
@@ -149,7 +150,9 @@ def _as_equations(task: Task, arm: Arm) -> Derivation:
         "Lambda": system,
     }
     facts = Facts(rows=task.velocities, redundant=not task.square, by_joint=("D",), forms=("Lambda",))
-    return work.answer("operational-space-inertia", results, facts, matrices=frozenset(results))
+    return work.answer(
+        "operational-space-inertia", results, facts, matrices=frozenset(results), unread=BODIES_ALONE
+    )
 
 
 def _numbers_alone(task: Task, there: AtAPoint) -> Derivation:
