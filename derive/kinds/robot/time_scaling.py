@@ -9,7 +9,7 @@ from typing import Annotated
 from pydantic import Field, PlainValidator, WithJsonSchema
 
 from derive.derivation import Derivation, PageFacts, Phrase, Result, Table
-from derive.errors import NotDerivable
+from derive.errors import DivisionByZero, NotDerivable
 from derive.expression import Approximate, Expr, column, free_symbols
 from derive.kinds.checks import route
 from derive.kinds.fields import Evaluation, OptionsModel, Place, Quantity, Time, read_point
@@ -29,6 +29,7 @@ CLAIMS = ("moves", "scales", "keeps", "as-tabled", "as-drawn", "right-words")
 CLAIMED = {"factors": "as-tabled", "moments": "as-tabled", "active": "right-words"}
 UNBOUND = "the motion needs no torque beyond that of gravity: no limit bounds how fast it can be"
 RUBBING = "torques of friction do not scale as the others do; it is not derived yet for joints with friction"
+ROUGH = "the joints have no velocity or acceleration at some time of the motion"
 OPEN = (
     "torques are compared with their limits in numbers, and no value is known for {}; give one under where:"
 )
@@ -79,7 +80,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     Raises NotDerivable where symbols are left, with friction, and where gravity alone is too much.
     """
     demands = _demands(robot, options, problem)
-    peaks = demands.peaks
+    try:
+        peaks = demands.peaks
+    except DivisionByZero:
+        raise NotDerivable(ROUGH, "joints") from None
     if not any(each.k for each in peaks):
         raise NotDerivable(UNBOUND)
     plan, told, k = demands.plan, told_of(demands), max(each.k for each in peaks)

@@ -91,6 +91,7 @@ def test_functions_of_time(tmp_path: Path) -> None:
         (REST.replace(", q2: 90 deg", "") + "\n    torque_max: [1400, 400]", "", "no value for q2"),
         (REST.replace("q2: 90", "q3: 90") + "\n    torque_max: [1400, 400]", "", "'q3' is no joint"),
         (REST + "\n    joints: [t, t]\n    torque_max: [1400, 400]", "", "give the motion by"),
+        ("joints: [sqrt(t), t]\n    time: 1\n    torque_max: [1400, 400]", "", "no velocity or acceleration"),
         ("joints: [t]\n    time: 1\n    torque_max: [1400, 400]", "", "1 functions for 2 joints"),
         ("time: 1\n    torque_max: [1400, 400]", "", "give the motion by"),
         (REST.replace("to: {q1: 60 deg, q2: 90 deg}", "to: {q1: 0, q2: 0}") + "\n    torque_max: [1400, 400]",

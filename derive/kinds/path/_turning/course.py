@@ -17,6 +17,7 @@ from derive.expression import ZERO, Approximate, Call, Expr, Matrix, Number, Sym
 from derive.kinds.path._frenet import Bent
 from derive.kinds.path._timing import T as MOMENT
 from derive.kinds.path._timing import Timed
+from derive.kinds.pose._numbers import is_short
 from derive.kinds.problem import Problem
 from derive.mechanics.paths import Oriented, Turned
 from derive.mechanics.poses import pose, rotation_part
@@ -86,9 +87,12 @@ class Course:
     @cached_property
     def rounded(self) -> bool:
         """Whether the orientations are told in rounded numbers: those of most angles fill lines."""
-        ends = [self._exactly(end) for end in (self.turned.start, self.turned.end)]
-        entries = [entry for R in ends for row in self.problem.readable_matrix(R).rows for entry in row]
-        return any(operations(entry) > LONGEST for entry in entries) or _angles(entries) > 1
+        first, last = (self._exactly(end) for end in (self.turned.start, self.turned.end))
+        ends = [entry for R in (first, last) for row in self.problem.readable_matrix(R).rows for entry in row]
+        if not all(map(_is_short, ends)) or _angles(ends) > 1:
+            return True
+        between = self.problem.readable_matrix(first.T @ last)
+        return not all(_is_short(entry) for row in between.rows for entry in row)
 
     def rotation(self, end: Oriented) -> ScalarMatrix:
         """Its matrix (3 by 3)."""
@@ -145,6 +149,10 @@ class Course:
         if not self.rounded:
             return written
         return Matrix(tuple(tuple(map(_rounded, row)) for row in written.rows))
+
+
+def _is_short(entry: Expr) -> bool:
+    return operations(entry) <= LONGEST and is_short(entry)
 
 
 def _near(value: float) -> Scalar:

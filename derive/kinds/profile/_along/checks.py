@@ -85,27 +85,32 @@ def kept(given: Along) -> Iterator[bool]:
 
 def no_shorter(given: Along) -> Iterator[bool]:
     """The time against a search by halving, with limits in the middle of other steps."""
+    once, twice = (_searched(given, steps) for steps in (OTHERS, 2 * OTHERS))
+    least = 2 * twice - once  # what is left is of the order of a step
+    yield abs(least - given.time) <= SEARCHED * given.time
+    yield abs(float(given.found.t[-1]) - given.time) <= SEARCHED * given.time
+
+
+def _searched(given: Along, steps: int) -> float:
     import numpy as np
 
     low, high = float(given.found.s[0]), float(given.found.s[-1])
-    step = (high - low) / OTHERS
+    step = (high - low) / steps
     v_max, a_max = given.limits
-    middles = [slopes(given, low + (k + 0.5) * step, 1e-3 * (high - low)) for k in range(OTHERS)]
+    middles = [slopes(given, low + (k + 0.5) * step, 1e-3 * (high - low)) for k in range(steps)]
     tops = []
-    for k in range(OTHERS + 1):
+    for k in range(steps + 1):
         first, second = slopes(given, low + k * step, 1e-3 * (high - low))
         tops.append(_top(first, second, v_max, a_max))
-    back = [0.0] * (OTHERS + 1)
-    for k in range(OTHERS - 1, -1, -1):
+    back = [0.0] * (steps + 1)
+    for k in range(steps - 1, -1, -1):
         back[k] = _halved(partial(_onward, middles[k], a_max, step, back[k + 1]), tops[k])
-    b = [0.0] * (OTHERS + 1)
-    for k in range(OTHERS):
+    b = [0.0] * (steps + 1)
+    for k in range(steps):
         onward = _onward(middles[k], a_max, step, back[k + 1], b[k])
         b[k + 1] = 0.0 if onward is None else onward
     rates = np.sqrt(np.array(b))
-    least = float((2 * step / (rates[1:] + rates[:-1])).sum())
-    yield abs(least - given.time) <= SEARCHED * given.time
-    yield abs(float(given.found.t[-1]) - given.time) <= SEARCHED * given.time
+    return float((2 * step / (rates[1:] + rates[:-1])).sum())
 
 
 def _top(first: Any, second: Any, v_max: Any, a_max: Any) -> float:

@@ -43,7 +43,10 @@ LISTED = 50  # every which value is a result
 OPEN = (
     "the fastest motion along a path is found in numbers, and no value is known for {}; give one under where:"
 )
-STILL = "the path stands still within its range, where no limit of an axis bounds the rate of its parameter"
+STILL = (
+    "the path stands still somewhere within its range, or has no derivatives there: no limit of an axis "
+    "bounds the rate of its parameter"
+)
 
 
 class PathTold(Record):
