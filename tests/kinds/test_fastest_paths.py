@@ -75,6 +75,7 @@ def test_a_quarter_of_a_circle(v: float, tmp_path: Path) -> None:
     [
         ("{path: [s, s^2], a_max: [1]}", "law: path", "1 limits for 2 axes"),
         ("{path: [s, s^2], a_max: [1, 1], v_max: [2]}", "law: path", "1 limits for 2 axes"),
+        ("{path: [90 deg*s, s], a_max: [1, 1]}", "law: path", "read as a unit"),
         ("{path: [u], a_max: [1]}", "law: path", "does not depend on 's'"),
         ("{path: [s], a_max: [-1]}", "law: path", "must be positive"),
         ("{path: [s], a_max: [a]}", "law: path", "no value is known for a"),

@@ -102,6 +102,7 @@ def test_curves_as_splines_have_them(places: tuple[str, ...], tmp_path: Path) ->
         ("{circle: {center: [0, 0, 0], radius: 1, axis: z, start: [1, 0, 1]}}", "not on the circle"),
         ("{circle: {center: [0, 0]}}", "how large it is"),
         ("{function: [u, u^2]}", "does not depend on 's'"),
+        ("{function: [0.1 m*s, s^2], range: [0, 1]}", "read as a unit"),
         ("{function: [s, s^2], range: [1, 0]}", "ends before it begins"),
     ],
 )

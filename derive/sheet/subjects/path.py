@@ -17,6 +17,7 @@ from derive.sheet.faults import NO_FORM, did_you_mean
 from derive.sheet.source import At, Faults, Route
 from derive.sheet.subjects.moves import AxisField
 from derive.sheet.subjects.orientation import GivenOrientation, turned
+from derive.sheet.subjects.parameters import instead, taken_for_unit
 from derive.sheet.subjects.registry import Known
 
 FORMS = (
@@ -290,6 +291,10 @@ def _function_faults(given: OfFunction, at: At, known: Known) -> Iterator[SheetE
     names = {name for tree in given.function for name in free_symbols(tree)}
     for name in names & known.where.keys():
         names |= free_symbols(known.where[name])
+    for k, tree in enumerate(given.function):
+        if taken_for_unit(tree, given.parameter):
+            said = f"'{given.parameter}' was read as a unit here"
+            yield at.fault(said, ("function", k), instead(given.parameter))
     if given.parameter in known.where:
         yield at.fault(f"'{given.parameter}' has a value under where: and cannot vary", ("function",))
     elif given.parameter not in names:

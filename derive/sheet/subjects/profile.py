@@ -21,6 +21,7 @@ from derive.mechanics.profile import NO_UNITS, Axis, JointPath, Journey, Profile
 from derive.sheet.checked import values_in
 from derive.sheet.faults import NO_FORM
 from derive.sheet.source import At, Faults, Route
+from derive.sheet.subjects.parameters import instead, taken_for_unit
 from derive.sheet.subjects.registry import Known
 
 # Limits are told to be kept or not by every kind; how fast the middle part is belongs to one.
@@ -230,6 +231,10 @@ def _wrong_path(given: GivenPath, at: At, known: Known) -> Iterator[SheetError]:
             size = _number(limit, known)
             if size is not None and size <= 0:
                 yield at.fault(f"{key} must be positive", (key, k), "limits are sizes")
+    for k, tree in enumerate(given.path):
+        if taken_for_unit(tree, given.parameter):
+            said = f"'{given.parameter}' was read as a unit here"
+            yield at.fault(said, ("path", k), instead(given.parameter))
     if given.parameter in known.where:
         yield at.fault(f"'{given.parameter}' has a value under where: and cannot vary", ("path",))
     elif all(given.parameter not in free_symbols(tree) for tree in given.path):

@@ -13,7 +13,9 @@ from derive.algebra.signs import sign_of
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
 
-NOT_SUBJECTS = frozenset({"__init__", "registry", "moves", "link", "screws", "quaternions", "orientation"})
+NOT_SUBJECTS = frozenset(
+    {"__init__", "registry", "moves", "link", "screws", "quaternions", "orientation", "parameters"}
+)
 
 
 @dataclass(frozen=True, slots=True)
