@@ -78,6 +78,18 @@ def test_where_the_elbow_meets_the_shoulder_the_rank_is_one() -> None:
     assert (sorted(inner.facts["equations"]), inner.facts["rank"]) == (["cos(q2)", "sin(q3)"], 1)
 
 
+def test_ranks_that_are_too_long_to_be_split_leave_the_sets() -> None:
+    """Of an arm with offsets in letters and a tool beyond its wrist."""
+    rows = (
+        ("q1*", "d1", "a1", "-90 deg"), ("q2*", "0", "a2", "0"), ("q3*", "0", "a3", "-90 deg"),
+        ("q4*", "d4", "0", "90 deg"), ("q5*", "0", "0", "-90 deg"), ("q6*", "d6", "0", "0"),
+    )  # fmt: skip
+    found = asked(rows)
+    assert all(claim.holds for claim in found.claims)
+    bounds = [each.facts.get("rank_at_most") for each in found.results["solutions"]]
+    assert bounds.count(5) == 6  # the elbow, the shoulder and the wrist, two of each
+
+
 def test_what_is_too_long_is_refused_before_it_is_worked_out() -> None:
     with pytest.raises(NotDerivable, match="too long to be taken apart"):
         asked(tuple((f"q{k}*", "0", f"l{k}", "90 deg") for k in range(1, 9)))

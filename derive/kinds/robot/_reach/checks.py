@@ -57,7 +57,9 @@ class Reached:
         """About the distances, every line that leads to them, the lengths, and whether there is a hole."""
         points = list(self._points)
         yield route("largest-distance", (self._reaches(1, at) for at in points))
-        yield route("smallest-distance", (self._reaches(-1, at) for at in points))
+        several = self.region.kind != "planar" and len(self.region.lengths) > 2
+        far_apart = [*self._general][1:2] if several else []
+        yield route("smallest-distance", (self._reaches(-1, at) for at in (*points, *far_apart)))
         yield route("lines", (_same(step.chain[1:], at) for step in steps for at in points))
         yield route("link-lengths", (each for at in points for each in self._lengths(at)))
         holes = [numeric.number(self.bounds[-1], at) > SMALL for at in self._general]

@@ -53,6 +53,11 @@ POINTS = 3
 TOLERANCE = 1e-6
 
 
+def in_floats(value: float) -> Expr:
+    """A number as it was found; nothing is exactly that."""
+    return Approximate(value) if value else ZERO
+
+
 def orientations_in_space(chain: Chain, point: Tracked, moving: Sequence[int]) -> Phrase:
     """Whether the joints that do not move the point turn the end-effector as one likes."""
     spare = tuple(i for i, _ in chain.moving if i not in moving and i <= point.last)
@@ -153,8 +158,8 @@ class InSectionOf:
                 for end, sign in (("max", 1), ("min", -1))
             }
             for name in BOUNDS:
-                work = work.showing(Step(name, (self.names[name], Approximate(told[name])), "section-end"))
-                results[name] = Approximate(told[name])
+                results[name] = end = in_floats(told[name])
+                work = work.showing(Step(name, (self.names[name], end), "section-end"))
             samples = [] if self.is_curve else swept.samples()
             unit = unit_of_lengths(self.problem, dict(self.place).values())
             drawn = carried(*swept.place(*swept.outline), told, unit) if self.is_curve else None

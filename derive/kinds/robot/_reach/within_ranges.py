@@ -10,7 +10,7 @@ from functools import cached_property
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Claim, Derivation, Phrase, Plot, Result, Said, Step
-from derive.expression import Approximate, Symbol
+from derive.expression import Symbol
 from derive.expression import number as number_tree
 from derive.figures.limited_workspaces import from_along
 from derive.figures.polar_workspaces import filled, swept
@@ -24,7 +24,7 @@ from derive.kinds.robot._reach.facts import Facts, InPlane
 from derive.kinds.robot._reach.in_numbers import Limits
 from derive.kinds.robot._reach.ranged import ranges_of
 from derive.kinds.robot._reach.section_checks import SectionSeen, fills, moved_by, square_told
-from derive.kinds.robot._reach.sections import seen_in_numbers
+from derive.kinds.robot._reach.sections import in_floats, seen_in_numbers
 from derive.kinds.robot._reach.swept import Swept
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
@@ -87,14 +87,14 @@ class WithinRanges:
         square = self.problem.readable(self.section.square)
         line = (R ** number_tree(2), square)
         steps = [Step("rho2", line, "unsolved")]
-        steps += [Step(name, (NAMES[name], Approximate(told[name])), "section-end") for name in NAMES]
+        steps += [Step(name, (NAMES[name], in_floats(told[name])), "section-end") for name in NAMES]
         work = Work(self.problem, uses=(self.problem.ask("forward-kinematics"),)).showing(*steps)
         arm = self.problem, self.chain, self.point, self.section.first
         work = work.claim(route("section-told", square_told(*arm, line, R)))
         plots = tuple(self._plots(told))
         description = Phrase(CALLED[self.turn is not None, told["r_min"] > 0])
         results: dict[str, Result] = {"rho2": self.problem.final(square)}
-        results |= {name: Approximate(value) for name, value in told.items()}
+        results |= {name: in_floats(value) for name, value in told.items()}
         results["description"] = description
         unit = unit_of_lengths(self.problem, dict(self.place).values())
         facts = Facts(
