@@ -24,7 +24,7 @@ sys.path[:] = pickle.load(asked)
 from derive.jobs.worker import serve
 serve(asked)
 """
-LARGE = 160_000_000  # bytes; a process that has held so many is let go, its sheet done
+LARGE = 180_000_000  # bytes; a process that holds so many is let go, its sheet done: two stay below 400 MB
 KILLED = 9
 OFTEN = 0.5  # seconds after which Ctrl-C is looked for, where nothing else happens
 NAMED = 4  # sheets at work that are told
