@@ -317,6 +317,8 @@ def new(name: str, kind: str | None) -> None:
     from derive.sheet.schema import schema_text
 
     target = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
+    if not target.stem or target.name.startswith("."):
+        raise click.UsageError("the sheet has no name: derive new week1 writes week1.yaml")
     if target.exists():
         raise click.UsageError(f"{target} exists already; choose another name")
     with guarded():

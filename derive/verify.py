@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from derive.derivation import Claim, Derivation, Phrase
-from derive.errors import NotAsWritten, NotDerivable, Place, SheetError, SheetErrors
+from derive.errors import DivisionByZero, NotAsWritten, NotDerivable, Place, SheetError, SheetErrors
 from derive.expression import Number, walk
 from derive.kinds.checks import SECOND_ROUTE
 from derive.kinds.measured import InDecimals
@@ -31,6 +31,10 @@ def answered(question: Question, working: Problem) -> Derivation:
     """The answer to a question, verified. Raises SheetErrors where there is none, or a claim fails."""
     try:
         derivation = working.answer(question.find, question.options)
+    except DivisionByZero as error:
+        key = _zero_of(question)
+        said = f"a division by zero, with {key} = 0" if key else str(error)
+        raise SheetErrors([SheetError(said, _place_of(key, question, working))]) from error
     except NotDerivable as error:
         place = _place_of(error.about, question, working)
         raise SheetErrors([SheetError(str(error), place)]) from error
@@ -91,6 +95,19 @@ def speech_of(derivation: Derivation, working: Problem) -> Speech:
     from derive.render.phrases import spoken
 
     return spoken(words_folder(working.name, derivation.kind), derivation.kind)
+
+
+def _zero_of(question: Question) -> str:
+    """The first option that is zero, as it is written."""
+    fields = type(question.options).model_fields if question.options else {}
+    return next(
+        (
+            field.alias or name
+            for name, field in fields.items()
+            if isinstance(value := getattr(question.options, name), Number) and not value.value
+        ),
+        "",
+    )
 
 
 def _place_of(about: str, question: Question, working: Problem) -> Place:

@@ -204,6 +204,11 @@ def test_kinds() -> None:
     assert "did you mean dh-table?" in wrong.stderr
 
 
+def test_new_sheet_has_a_name(folder: Path) -> None:
+    assert "has no name" in run("new", "").stderr
+    assert not list(folder.glob(".*"))
+
+
 def test_new_sheet_builds(folder: Path) -> None:
     assert run("new", "mine", "--kind", "jacobian").exit_code == 0
     assert run("mine.yaml", "--format", "json").exit_code == 0

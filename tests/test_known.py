@@ -107,6 +107,12 @@ def test_templates_are_part_of_it(sheet: Path) -> None:
     assert UNCHANGED not in again(*asked)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no named pipes")
+def test_a_pipe_among_the_templates_is_not_waited_for(sheet: Path) -> None:
+    os.mkfifo(sheet / "own" / "words" / "_pipe.j2")
+    assert UNCHANGED not in again("--format", "md", "--templates", "own")
+
+
 def test_the_program_is_part_of_it(sheet: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "code").mkdir()
     (tmp_path / "code" / "first.py").write_text("a")

@@ -50,7 +50,7 @@ from derive.errors import FormulaError
 from derive.expression import Expr, free_symbols
 
 TREES = get_args(Expr)
-MANY_TURNS = 1e9  # rad
+MANY_TURNS = 1e6  # rad, of which a sine keeps the nine digits that are compared
 
 
 class OptionsModel(BaseModel):
@@ -124,7 +124,10 @@ class _Reader:
             for word in words_like_units(text_of(typed)):
                 doubt(word, info)
         if self.dimension == ANGLE and not free_symbols(tree) and abs(number(tree, {})) > MANY_TURNS:
-            raise FormulaError("this angle is too large: nothing is left of its sine in floating point")
+            raise FormulaError(
+                "this angle is too large: its sine has too few digits in floating point",
+                hint="leave whole turns out",
+            )
         if self.dimension == ANGLE and (strange := doubtful_angle(text_of(typed), tree)):
             doubt(strange, info)
         return tree

@@ -9,6 +9,7 @@ from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from hashlib import blake2b
 from pathlib import Path
+from stat import S_ISREG
 from typing import TypeAlias
 
 Digests: TypeAlias = tuple[tuple[str, str], ...]
@@ -70,8 +71,10 @@ def digests(paths: Iterable[str]) -> Digests:
 
 
 def digest(path: str | Path) -> str:
-    """Of what a file holds."""
+    """Of what a file holds; a pipe or a device holds nothing, and might never end."""
     try:
+        if not S_ISREG(os.stat(path).st_mode):
+            return NOTHING
         with open(path, "rb") as file:
             found = blake2b(digest_size=16)
             while part := file.read(1 << 20):

@@ -62,7 +62,11 @@ def _files(folder: Path) -> Iterator[str]:
     """The paths of the templates in a folder."""
     for path in sorted(folder.rglob("*")):
         inside = path.relative_to(folder)
-        if path.suffix in TEMPLATES and not any(part.startswith(".") for part in inside.parts):
+        if (
+            path.suffix in TEMPLATES
+            and path.is_file()
+            and not any(part.startswith(".") for part in inside.parts)
+        ):
             yield inside.as_posix()
 
 

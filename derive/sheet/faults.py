@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Set
+from collections.abc import Iterable, Sequence, Set
 from difflib import SequenceMatcher, get_close_matches
 from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
 
-from derive.errors import FormulaError, SheetError
+from derive.errors import FormulaError, SheetError, position
 from derive.sheet.branches import branches, keys, lengths, purpose
 from derive.sheet.cut import before, cut_fault, cut_off
 from derive.sheet.source import At, Route
 
 MOST = 100  # faults of one value that are told one by one
-EXAMPLE = re.compile(r"\bas (?P<list>\[.*?\])")  # of what may stand in a field, in what is said of it
+EXAMPLE = re.compile(r"\bas (?P<like>\[.*?\]|\{.*?\})")  # of what may stand in a field, in what is said of it
 OBJECT = re.compile(r"(?P<object>\{\w+: [^{}]*\})")  # likewise, in what is said of a model
 NAMED = re.compile(r"(\w+) \(([^)]*)\)")  # a choice, and whose it is
 NO_FORM = "no_form"  # the type of a fault where a value has none of the forms it could have
+OTHER_FORM = frozenset({"list_type", "tuple_type", "dict_type"})  # a value of one form had a list as another
 WANTED = {
     "int": "a whole number is wanted here",
     "float": "a number is wanted here",
@@ -45,6 +46,10 @@ def retell(
     listed = error.errors(include_url=False)
     entries = [_Entry(dict(entry), at, adapter, tuple(more)) for entry in listed[:MOST]]
     faults = [(entry, entry.fault()) for entry in entries if not _told_before(entry, entries)]
+    told = {entry.route for entry in entries if entry.type not in OTHER_FORM}
+    faults = [
+        (entry, fault) for entry, fault in faults if entry.type not in OTHER_FORM or entry.route not in told
+    ]
     misspelt = {
         (entry.route[:-1], meant["key"])
         for entry, fault in faults
@@ -58,7 +63,7 @@ def retell(
             fault.message if entry.type == "missing" else ""
         )  # more than one key can be missing in a place
         found.setdefault((fault.place, several), fault)
-    return [*found.values(), *untold(len(listed) - MOST, at)]
+    return [*found.values(), *untold(len(listed) - MOST, list(found.values()))]
 
 
 def _told_before(entry: _Entry, entries: list[_Entry]) -> bool:
@@ -69,11 +74,12 @@ def _told_before(entry: _Entry, entries: list[_Entry]) -> bool:
     return any(other.route[: len(whole)] == whole for other in entries)
 
 
-def untold(count: int, at: At) -> list[SheetError]:
-    """How many faults are not told one by one."""
+def untold(count: int, told: Sequence[SheetError]) -> list[SheetError]:
+    """How many faults are not told one by one, where the last one stands that is."""
     if count <= 0:
         return []
-    return [at.fault(f"{count} more faults are here", (), "mend those above first")]
+    last = max(told, key=position)
+    return [SheetError(f"{count} more faults are here", last.place, "mend those above first")]
 
 
 MEANT = re.compile(r"did you mean (?P<key>.*)\?")
@@ -202,16 +208,16 @@ class _Entry:
         return self.more if len(self.route) == 1 else ()
 
     def _choice(self) -> SheetError:
-        typed = str(self.at.value(self.route))
+        value, said = self.at.value(self.route), purpose(self.adapter, self.route)
+        typed = value if isinstance(value, str) else ""
         known = [name.strip("' ") for name in str(self.context["expected"]).replace(" or ", ",").split(",")]
-        named = {
-            word.lower(): way
-            for way, words in NAMED.findall(purpose(self.adapter, self.route))
-            for word in words.split(", ")
-        }
+        named = {word.lower(): way for way, words in NAMED.findall(said) for word in words.split(", ")}
         way = named.get(typed.lower())
         hint = f"write {way}" if way in known else did_you_mean(typed, known)
-        return self.at.fault(f"'{typed}' cannot stand here", self.route, hint)
+        if not hint.startswith("did") and (example := EXAMPLE.search(said)):
+            hint += f", or {example['like']}"
+        what = f"'{typed}'" if typed else "a list" if isinstance(value, list) else "this"
+        return self.at.fault(f"{what} cannot stand here", self.route, hint)
 
     def _other(self, said: str) -> SheetError:
         if self.type in LIMITS:
@@ -249,7 +255,7 @@ class _Entry:
             if isinstance(value, str):
                 hint = f"write [{value}]"
             if example := EXAMPLE.search(purpose(self.adapter, self.route)):
-                hint = f"write {example['list']}"
+                hint = f"write {example['like']}"
             elif len(counts) == 1:
                 hint = _several(counts.pop())
             return self.at.fault("a list is wanted here", self.route, hint) if hint else None

@@ -136,7 +136,8 @@ def _asked(at: At, data: dict[str, Any], name: str, known: Known) -> tuple[Quest
             raise SheetErrors([_nothing_asked(at, rest)])
         return (inline_question(at, rest, name, known),)
     strange = [key for key in rest if key != "questions"]
-    faults = Faults([*(_unknown(at, key) for key in strange[:MOST]), *untold(len(strange) - MOST, at)])
+    faults = Faults(_unknown(at, key) for key in strange[:MOST])
+    faults += untold(len(strange) - MOST, faults)
     found: tuple[Question, ...] = ()
     with faults.gathered():
         found = questions(at, data, name, known)

@@ -29,7 +29,7 @@ def range_faults(robot: Robot, at: At, known: Known) -> Iterator[SheetError]:
             hint = "write [0.1 m, 0.5 m]" if link.joint == "prismatic" else "write [-90 deg, 90 deg]"
             yield at.fault(fault, route, hint)
         elif _is_empty(low, high, known):
-            message = f"the range of {link.variable} ends before it begins"
+            message = f"the range of {link.variable} ends where it begins, or before"
             yield at.fault(message, route, "write the smaller value first")
 
 

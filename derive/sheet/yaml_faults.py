@@ -46,9 +46,14 @@ def explain(error: Exception, path: Path, lines: tuple[str, ...]) -> SheetError:
     said = f"{getattr(error, 'problem', '')} {getattr(error, 'context', '')}"
     mark = getattr(error, "problem_mark", None)
     if mark is None:
-        return SheetError(
-            f"{path}: a character that cannot stand in a text file", None, "save it as plain text"
-        )
+        found = ((k, char) for k, line in enumerate(lines) for char in line if unprintable(char))
+        number, char = next(found, (0, ""))
+        if not char:
+            said = f"{path}: a character that cannot stand in a text file"
+            return SheetError(said, None, "save it as plain text")
+        column = lines[number].index(char)
+        place = Place(str(path), number + 1, column + 1, lines[number])
+        return SheetError(f"the character U+{ord(char):04X} cannot be printed", place, "leave it out")
     line, column = mark.line, mark.column
     text = lines[line] if line < len(lines) else ""
     place = Place(str(path), line + 1, column + 1, text)

@@ -93,7 +93,7 @@ def _read(text: str, at: int) -> list[Token]:
         return [Token("sign", "^", at, at + 2)]
     if char in SIGNS:
         return [Token("sign", SIGNS[char], at, at + 1)]
-    raise FormulaError(f"{NOT_A_FORMULA}: {char!r} cannot stand in one", at, f"use {ALLOWED}")
+    raise FormulaError(f"{NOT_A_FORMULA}: '{char}' cannot stand in one", at, f"use {ALLOWED}")
 
 
 def _number(text: str, at: int) -> Token:

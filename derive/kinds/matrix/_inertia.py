@@ -14,7 +14,7 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point, completed
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.errors import NotDerivable, NotReal
+from derive.errors import NotDerivable, NotReal, how_many
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import random_points
 from derive.kinds.problem import Problem
@@ -131,7 +131,8 @@ def inertia_of(given: GivenMatrix, problem: Problem) -> GivenInertia:
         raise NotDerivable(f"an inertia matrix is square, and this one is {m} by {n}")
     if len(given.variables) != n:
         raise NotDerivable(
-            f"an inertia matrix of {n} rows has {n} joint variables, and {len(given.variables)} are listed: "
+            f"an inertia matrix of {how_many(n, 'row')} has {how_many(n, 'joint variable')}, and "
+            f"{len(given.variables) or 'none'} {'is' if len(given.variables) == 1 else 'are'} listed: "
             "give all of them, in the order of the rows, under variables:",
             "variables",
         )

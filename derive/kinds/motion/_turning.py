@@ -48,7 +48,7 @@ class Turning:
         """The names with which the rotation changes. Raises NotDerivable where nothing turns."""
         found = tuple(name for name in self.varying if self.R.diff(name))
         if not found:
-            raise NotDerivable("no rotation changes with the names it is by, so nothing turns")
+            raise NotDerivable("nothing turns: no rotation is by an angle that changes, as theta or omega*t")
         return found
 
     @cached_property

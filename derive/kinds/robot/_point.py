@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
@@ -29,6 +29,14 @@ class PointOn(OptionsModel):
     """The frame whose origin the point is."""
     at: Point = ORIGIN
     """Where the point lies in the link's own frame; its origin if left out."""
+
+    @model_validator(mode="after")
+    def _on_one(self) -> PointOn:
+        if self.link is not None and self.frame is not None:
+            raise ValueError(
+                "a point lies on a link, {link: 2, at: [..]}, or is the origin of a frame, {frame: 2}"
+            )
+        return self
 
 
 @dataclass(frozen=True, slots=True)

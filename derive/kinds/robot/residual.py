@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
+from derive.algebra.formulas.quantities import rational
 from derive.algebra.numbers.floats import Point, completed, numbers
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Result, Step
@@ -81,6 +82,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if arm.long:
         raise NotDerivable("the momentum of this arm would fill pages; it is not derived yet for such arms")
     names = _names(options, arm)
+    for joint in names:
+        if (value := rational(problem.final(joint.gain))) is not None and value <= 0:
+            raise NotDerivable("a gain is positive: else the residual does not follow the contact", "gain")
     rubbing = friction_terms(robot)
     work = Work(problem).resting_on(arm.inertia, problem.ask("gravity"))
     energy = arm.final(kinetic_energy(arm.D, rate_column(arm.variables)))

@@ -36,6 +36,7 @@ CLAIMS = (
 CLAIMED = dict.fromkeys(("overshoot", "rise_time", "settling_time"), "figures")
 UNITS = {"angle": "rad", "speed": "rad/s"}  # of what a motor turns
 S = Symbol("s")
+MOST_UNSTABLE = 12  # poles of a response that grows: its inverted transform keeps too few digits of more
 
 
 class Options(OptionsModel):
@@ -70,6 +71,11 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     if not numeric.proper:
         raise NotDerivable("the transfer function is improper: its step response begins with an impulse")
     response = step_response(numeric.num, numeric.den)
+    if (count := len(numeric.den) - 1) > MOST_UNSTABLE and verdict(numeric.den) == "unstable":
+        raise NotDerivable(
+            f"the system is unstable and has {count} poles: its response cannot be checked in floating point "
+            f"(at most {MOST_UNSTABLE} poles can)"
+        )
     in_time = None if "t" in system.names else response_in_time(response.curve, numeric, solved.style)
     final = _steady(solved, numeric, response)
     answer = Answer(solved, numeric, verdict(complete.den), response, final, in_time)

@@ -131,9 +131,20 @@ def _coordinate_faults(given: Given, at: At, known: Known) -> Iterator[SheetErro
         elif name not in used:
             hint = did_you_mean(name, used - set(given.coordinates))
             yield at.fault(f"nothing depends on the coordinate '{name}'", where, hint)
+    for name in given.coordinates if not given.bodies else ():
+        if _alone(given, name, known) == -1:
+            message = f"the kinetic energy is negative where only {name} moves"
+            yield at.fault(message, ("kinetic",), "kinetic: is positive, as 1/2*m*x_dot^2")
     if not given.bodies and given.kinetic == ZERO:
         hint = "give bodies:, or kinetic: as 1/2*m*x_dot^2"
         yield at.fault("there is no kinetic energy", (), hint)
+
+
+def _alone(given: Given, moving: str, known: Known) -> int | None:
+    """The sign of the kinetic energy where one coordinate moves; every name without a value is positive."""
+    rates = {f"{name}_dot": number(int(name == moving)) for name in given.coordinates}
+    sizes = free_symbols(given.kinetic) - {*given.coordinates, *rates}
+    return Known({**known.where, **rates}, dict.fromkeys(sizes, "positive")).sign(given.kinetic)
 
 
 def _body_faults(given: Given, at: At, known: Known) -> Iterator[SheetError]:
