@@ -85,6 +85,7 @@ class AxisTold(Record):
     given: tuple[tuple[Expr, Expr, int | None], ...]  # each with how often it is differentiated
     backwards: Phrase | None
     opening: Phrase
+    letters: Phrase | None  # for the peak velocity and the acceleration
     probe: str  # a step
     cases: tuple[CaseTold, ...]
     least: Phrase | None  # the time, where that given is too short
@@ -99,11 +100,16 @@ def told(each: Solved, prefix: str = "", among: bool = False, again: bool = Fals
     return AxisTold(
         given=shown,
         backwards=Phrase("backwards") if given.backwards and not again else None,
+        letters=None if again or among else Phrase("letters", _letters(given)),
         opening=_opening(each, among),
         probe=f"{prefix}{probe.name}" if probe else "",
-        cases=tuple(_case(each, outcome, prefix) for outcome in each.outcomes),
+        cases=tuple(_case(each, outcome, prefix, among) for outcome in each.outcomes),
         least=least if each.infeasible and not among else None,
     )
+
+
+def _letters(given: Given) -> dict[str, Said]:
+    return {"peak": given.working.symbol("v"), "slope": given.working.symbol("a")}
 
 
 def _opening(each: Solved, among: bool) -> Phrase:
@@ -117,7 +123,7 @@ def _opening(each: Solved, among: bool) -> Phrase:
     return Phrase("ramps", {**names, "strongest": given.strongest, "fastest": given.fastest, "ramp": ramp})
 
 
-def _case(each: Solved, outcome: Outcome, prefix: str) -> CaseTold:
+def _case(each: Solved, outcome: Outcome, prefix: str, among: bool) -> CaseTold:
     several, given = len(each.outcomes) > 1, each.given
     border = given.fastest if each.time is not None else given.d
     fits = outcome.plateau == (each.time is None)
@@ -126,7 +132,7 @@ def _case(each: Solved, outcome: Outcome, prefix: str) -> CaseTold:
         begins=Phrase("if", {"when": outcome.when[0]}) if several else begins,
         what=_what(each, outcome),
         lines=tuple(_name(each, outcome, step, prefix) for step in outcome.working.steps),
-        ends=_ends(each, outcome, outcome.when[1:] if several else outcome.when),
+        ends=_ends(each, outcome, outcome.when[1:] if several else outcome.when, among),
     )
 
 
@@ -147,12 +153,15 @@ def _what(each: Solved, outcome: Outcome) -> Phrase:
     return Phrase("triangle")
 
 
-def _ends(each: Solved, outcome: Outcome, left: tuple[Relation, ...]) -> Phrase | None:
+def _ends(each: Solved, outcome: Outcome, left: tuple[Relation, ...], among: bool) -> Phrase | None:
     """Why a case cannot be kept, or when it can."""
     if outcome.too_fast:
         return Phrase("too-fast", {"fastest": each.given.fastest})
     if outcome.case == "infeasible":
         return Phrase("too-strong", {"strongest": each.given.strongest})
+    timed = each.time is not None and not among
+    if timed and each.axis.a_max is not None and len(each.outcomes) == 1 and not left:
+        return Phrase("within", {"strongest": each.given.strongest})
     return Phrase("kept-where", {"conditions": left}) if left else None
 
 

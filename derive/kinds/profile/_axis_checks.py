@@ -130,6 +130,7 @@ def _verdicts(each: Solved, told: AxisTold, k: int, at: Point) -> bool:
         and all(rates[name] == rate for name, _, rate in told.given if isinstance(name, Symbol))
         and ((case.what.key in WITH_A_PLATEAU) == plateau or border or (slow and stuck))
         and decided.get(case.begins.key, len(told.cases) > 1)
+        and (ends != "within" or (t_3 is not None and not stuck and found.a <= a_max * (1 + LOOSE)))
         and (ends == "too-fast") == slow
         and (ends == "too-strong") == (stuck and not slow)
     )
@@ -191,7 +192,7 @@ def _chains(
     chains += [(name, value) for name, value, _ in told.given]
     if outcome.probe:
         chains.append((PROBE, *steps[told.probe].chain))
-    for phrase in (told.opening, case.begins, case.what, case.ends, told.least):
+    for phrase in (told.letters, told.opening, case.begins, case.what, case.ends, told.least):
         chains += _said(each, phrase.about) if phrase else ()
     if outcome.case == "infeasible":
         return [*chains, *((Symbol("t_min"), tree) for tree in results.get("t_min", ()))]
@@ -205,6 +206,7 @@ def _said(each: Solved, about: Mapping[str, Said]) -> Iterator[Chain]:
     names = each.given
     called: dict[str, Expr] = {
         "fastest": names.fastest, "strongest": names.strongest, "until": T_1, "after": T_2, "between": T_M,
+        "peak": names.working.symbol("v"), "slope": names.working.symbol("a"),
         "rest": Symbol("t_3"), "time": Symbol("t_3"), "ramp": TO_THE_LIMIT,
         "border": names.d if each.time is None else names.fastest,
     }  # fmt: skip

@@ -27,7 +27,7 @@ from derive.mechanics.profile import Journey, Profile
 
 EACH = 2  # points
 CLOSE = 1e-6
-HOW = {True: "blended", False: "as-the-profile"}
+HOW = {"a": "blended-quadratic", "v": "blended", "t_b": "blended", "": "as-the-profile"}
 PIECES = {1: "begins", 2: "goes-on", 3: "ends"}
 WITHIN = (0.3, 0.8)  # of a piece: moments at which its law is tried
 
@@ -88,6 +88,7 @@ class Blends:
         smaller: Phrase | None,
         possible: Phrase | None,
         told: Sequence[tuple[Expr, Expr, int | None]],
+        met: Phrase | None = None,
     ) -> Iterator[Claim]:
         """What is said of all of it: how it is made, and for which values."""
         area, given = how.about.get("area"), self.given[0]
@@ -95,14 +96,19 @@ class Blends:
         root = Phrase("smaller-root") if given == "a" else None
         yield law(
             "said",
-            (smaller == root, self._is_back(back), how.key == HOW[bool(given)], equal, self._is_given(told)),
+            (smaller == root, self._is_back(back), how.key == HOW[given], equal, self._is_given(told)),
         )
         if isinstance(area, Relation) and isinstance(area.left, TREES) and area.sign == "=":
             names = (self.names(motion, at) for at in self._possible() if (motion := self.possible(at)))
             chains = [(area.left, area.right), (how.about["v"], V), (how.about["t_b"], T_B)]
+            joined = how.about.get("joined")
+            if isinstance(joined, Relation) and isinstance(joined.left, TREES):
+                chains += [(joined.left, joined.right), (how.about["a"], A)]
             yield route("area", (farthest(chains, each) < CLOSE for each in islice(names, EACH)))
         if possible is not None:
             yield route("which", self._which(possible))
+            if met is not None:
+                yield route("in-bounds", self._met(met, possible))
 
     def _is_back(self, told: Phrase | None) -> bool:
         """Whether what was given is told to be negative where the motion in numbers goes backwards."""
@@ -153,6 +159,22 @@ class Blends:
             sign = 1.0 if by == "t_b" or way > 0 else -1.0
             least, most = sign * sizes.get("least", 0.0), sign * sizes.get("most", sign * inf)
             yield least >= 0 and (least < abs(sizes["given"]) <= most) == (self.possible(at) is not None)
+
+    def _met(self, told: Phrase, possible: Phrase) -> Iterator[bool]:
+        """Whether a chain of numbers is the bounds with the given value between them, and in order."""
+        (_, value), known = self.given, completed({}, self.problem.where)
+        bounds = [possible.about.get(key) for key in ("least", "most")]
+        least, most = (each.right if isinstance(each, Relation) else None for each in bounds)
+        numbers: list[float] = []
+        said = told.about["chain"]
+        while isinstance(said, Relation):
+            yield said.sign == "<=" and isinstance(said.right, TREES)
+            numbers.insert(0, value_of(said.right, {}) if isinstance(said.right, TREES) else inf)
+            said = said.left
+        numbers.insert(0, value_of(said, {}) if isinstance(said, TREES) else inf)
+        wanted = [value_of(each, known) for each in (least, value, most) if isinstance(each, TREES)]
+        yield len(numbers) == len(wanted) and all(map(isclose, numbers, wanted))
+        yield all(one <= other for one, other in pairwise(numbers))
 
     def possible(self, at: Point) -> Motion | None:
         """The motion at a point; None where there is none."""

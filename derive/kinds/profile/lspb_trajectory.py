@@ -15,6 +15,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.profile._blends import (
     POSSIBLE,
     T_B,
+    A,
     Blended,
     V,
     blended,
@@ -56,6 +57,7 @@ class Facts(PageFacts):
     back: Phrase | None  # the sign of what was given
     smaller: Phrase | None  # of two roots
     possible: Phrase | None  # which values, where symbols leave that open
+    between: Phrase | None  # that the given number is between those bounds
     pieces: tuple[PieceTold, ...]
     drawn: bool
     limits: tuple[LimitTold, ...]
@@ -91,7 +93,9 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     by_name = {step.name: step for step in work.steps}
     told = {int(each.step[-1]): (by_name[each.step].chain, each.what) for each in facts.pieces}
     work = work.claim(*checked.claims([each for each in chains if each[0] != q], pieces, told))
-    work = work.claim(*checked.said(facts.how, facts.back, facts.smaller, facts.possible, facts.given))
+    work = work.claim(
+        *checked.said(facts.how, facts.back, facts.smaller, facts.possible, facts.given, facts.between)
+    )
     timed = [(piece.values["q"], times_of(piece)) for piece in pieces]
     t_b, t_f = results["t_b"], results["t_f"]
     moments = {T_B: t_b, found.T - T_B: t_f - t_b, found.T: t_f}
@@ -139,7 +143,8 @@ def _facts(
         lines=lines,
         back=_back(found),
         smaller=Phrase("smaller-root") if found.by == "a" else None,
-        possible=_possible(found),
+        possible=(possible := _possible(found)),
+        between=_met(possible, found),
         pieces=tuple(PieceTold(step=f"piece_{k}", what=_piece(k, span)) for k, span in spans.items()),
         how=_how(found),
         drawn=drawn.course is not None,
@@ -158,6 +163,9 @@ def _how(found: Blended) -> Phrase:
     if found.by == "limits":
         return Phrase("as-the-profile")
     area = Relation(found.way, "=", V * (found.T - T_B))
+    if found.by == "a":
+        joined = Relation(found.way, "=", A * T_B * (found.T - T_B))
+        return Phrase("blended-quadratic", {"v": V, "t_b": T_B, "area": area, "a": A, "joined": joined})
     return Phrase("blended", {"v": V, "t_b": T_B, "area": area})
 
 
@@ -171,6 +179,22 @@ def _possible(found: Blended) -> Phrase | None:
     }  # fmt: skip
     bounds = {name: _with_value(bound, found) for name, bound in borders[found.by].items()}
     return Phrase(POSSIBLE[found.by], {"given": found.given, **bounds})
+
+
+def _met(possible: Phrase | None, found: Blended) -> Phrase | None:
+    """The bounds and the given value in numbers, where all of them are positive numbers."""
+    if possible is None or found.given is None:
+        return None
+    bounds = [possible.about[key] for key in ("least", "most") if key in possible.about]
+    value, unit = worked_out(found.given, found.working), found.working.units.get(found.given, "")
+    if not isinstance(value, Number | Degrees) or value.value <= 0:
+        return None
+    ends = [each.right for each in bounds if isinstance(each, Relation)]
+    if len(ends) < len(bounds):
+        return None
+    given, most = measured(value, unit), ends[-1] if "most" in possible.about else None
+    chain: Expr | Relation = given if "least" not in possible.about else Relation(ends[0], "<=", given)
+    return Phrase("bounds-met", {"chain": chain if most is None else Relation(chain, "<=", most)})
 
 
 def _with_value(bound: Expr, found: Blended) -> Expr | Relation:

@@ -102,6 +102,7 @@ class SolvedFacts(Record):
     solved: tuple[Step, ...]
     choices: tuple[Step, ...]
     left: tuple[Step, ...]
+    chosen: Phrase | None = None  # which joint may be chosen where it is open
 
     def is_like(self, other: SolvedFacts) -> bool:
         """Whether both are told by equations and choices alone, in which the same factor cancels."""

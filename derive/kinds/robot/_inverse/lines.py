@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from derive.algebra.angles import Form
 from derive.algebra.numbers.arrays import arrays
 from derive.derivation import Claim, Step
 from derive.expression import Expr, Relation, Symbol
@@ -68,9 +69,25 @@ class Lines:
             for taken, known in tried:
                 yield from breaks.determined(solved, known, rates)
                 yield from breaks.turned(solved, known)
+                yield from self._arbitrary(solved, known)
                 choice = solved.choices.index(taken[solved.number])
                 yield from breaks.sided(solved, known, choice)
                 yield from breaks.signed(solved, known, choice)
+
+    def _arbitrary(self, solved: Solved, known: Values) -> Iterator[bool]:
+        """Whether an angle that is said to be arbitrary where a slide is zero moves nothing there that is
+        known: the center of the wrist where the hand follows, else all that is given."""
+        said = solved.facts.open
+        if said is None or said.key != "singular-and-arbitrary-if":
+            return
+        slides = [each.left for each in solved.facts.method.unless]
+        assert all(isinstance(each, Symbol) for each in slides) and isinstance(solved.unknown, Form)
+        here = {**known, **{each.name: 0.0 for each in slides if isinstance(each, Symbol)}}
+        there = here | {name: here[name] + TURNS for name, _ in solved.unknown.parts}
+        if solved.stage == "arm":
+            yield close(self._centre(there), self._centre(here), SAME)
+        else:
+            yield close(self.target.there(there), self.target.there(here), SAME)
 
     def hold(self, known: Values, taken: Taken) -> Iterator[bool]:
         """Whether each holds: `known` are the values of all names in the branch with these choices."""

@@ -141,9 +141,11 @@ def _alone(solving: Solving, angle: Form, trees: Trees, row: TrigEquation, lengt
         choices += whole or [Choice(_angle(u, value, even), sign, when)]
         shown.append(Choice(_angle(own, page, even), sign, when))
         trig[sign] = {own: u, other: value}
-    bound = None if length else _within_reach(solving.progress, trees[0] if even else trees[1], trees[2])
+    coefficient = trees[0] if even else trees[1]
+    bound = None if length else _within_reach(solving.progress, coefficient, trees[2])
     method = Method(
         name="cosine" if even else "sine",
+        unless=solving.progress.may_vanish(coefficient),
         exists=None if length or bound else u if plain else own,
         bound=bound,
         by_length=length is not None,

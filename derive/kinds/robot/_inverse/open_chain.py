@@ -10,6 +10,7 @@ from derive.algebra.bounds import at_most
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation, Result
 from derive.errors import NotDerivable
+from derive.kinds.checks import route
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import LINKS_ALONE
@@ -19,6 +20,7 @@ from derive.kinds.robot._inverse.checks import Tried, as_printed
 from derive.kinds.robot._inverse.choices import Choices, signs_of
 from derive.kinds.robot._inverse.evaluated import by_plan, evaluated, in_degrees
 from derive.kinds.robot._inverse.given import Given, goal_of, refuse_namesakes
+from derive.kinds.robot._inverse.left_open import choosable, follow
 from derive.kinds.robot._inverse.lines import Lines
 from derive.kinds.robot._inverse.placed import Placed
 from derive.kinds.robot._inverse.postures import Postures
@@ -101,9 +103,11 @@ def derive(
     if roots:
         results["quartic"] = roots.polynomial
         work = work.claim(*roots.claims(points, values))
+    if opened := tuple(choosable(worked.solved, target)):
+        work = work.claim(route("left-open", (each for one in opened for each in follow(one, target))))
     work = work.claim(*Seen(worked, trial, choices).claims())
     work = work.claim(*ranges.claims(values))
-    facts = Told(worked, solutions, choices).facts(trial.partial, values, in_degrees(problem, place))
+    facts = Told(worked, solutions, choices, opened).facts(trial.partial, values, in_degrees(problem, place))
     facts = replace(facts, feasible=ranges.said, turn_limits=ranges.of_angles)
     read = facts.wrist is not None and facts.wrist.stands  # off the pose of the end-effector
     unread = frozenset() if read else LINKS_ALONE

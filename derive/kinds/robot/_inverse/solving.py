@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from derive.algebra.angles import Form
 from derive.algebra.infix import text
+from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.derivation import Phrase, Step
@@ -18,6 +19,7 @@ from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.signs import all_negative, begins_negative, opposite
 from derive.kinds.robot._inverse.subproblem import Choice, Definition, Solved
 from derive.mechanics.inverse.subproblems import Joined, Reach, SubProblem, equations_of
+from derive.mechanics.inverse.wrist import Spherical
 from derive.mechanics.poses import rotation_part
 from derive.mechanics.zeros import never_zero
 
@@ -44,16 +46,20 @@ TWO = {  # by the rule, and whether other elements give the size of the other fu
 }  # fmt: skip
 OPEN = {
     "direction": "singular-if", "difference": "arbitrary-only-if", "zero": "arbitrary-if",
-    "determinant": "no-determinant", "slide": "no-slope",
+    "determinant": "no-determinant", "slide": "no-slope", "cosine": "not-by-this-if",
+    "sine": "not-by-this-if",
 }  # fmt: skip
+BY_A_SLIDE = ("direction", "cosine", "sine")  # a slide at zero may take the angle out of all that is known
 ALL_TOGETHER = ("difference", "zero")  # what must not vanish, must not all at once
 
 
 class Solving:
     """One sub-problem while its solution is written; `poses` are those its equations stand in."""
 
-    def __init__(self, progress: Progress, poses: Poses, found: SubProblem) -> None:
-        self.progress, self.problem = progress, progress.problem
+    def __init__(
+        self, progress: Progress, poses: Poses, found: SubProblem, wrist: Spherical | None = None
+    ) -> None:
+        self.progress, self.problem, self.wrist = progress, progress.problem, wrist
         self.poses, self.found = poses, found
         self.steps: list[Step] = []
         self.equations: list[tuple[Expr, Expr]] = []
@@ -199,12 +205,22 @@ class Solving:
 
     def _matters_no_more(self, method: Method, unknown: Expr) -> bool:
         """Whether a slide at zero, which leaves the unknown open, takes it out of all that is known."""
-        slide, goal = method.factor, self.progress.goal
-        if not (isinstance(slide, Symbol) and isinstance(unknown, Symbol)) or method.name != "direction":
+        slide: Expr | Relation | None = method.factor
+        if method.name in ("cosine", "sine") and len(method.unless) == 1:
+            slide = method.unless[0].left
+        goal = self.progress.goal
+        if not (isinstance(slide, Symbol) and isinstance(unknown, Symbol)) or method.name not in BY_A_SLIDE:
             return False
-        T = chain_of(self.problem).T_tool
-        known = [T.rows[i][3] for i, each in enumerate(goal.p) if each is not None]
-        known += rotation_part(T).entries if goal.R is not None or goal.angle else ()
+        chain, wrist = chain_of(self.problem), self.wrist
+        if wrist and self.poses.shoulder:
+            return False
+        known: list[Scalar]
+        if wrist and self.poses.stage == "arm":  # which the hand then turns as it should
+            known = [*(chain.T[wrist.frame] @ ScalarMatrix.column((*wrist.inside.entries, 1))).entries[:3]]
+        else:
+            T = chain.T_tool
+            known = [T.rows[i][3] for i, each in enumerate(goal.p) if each is not None]
+            known += rotation_part(T).entries if goal.R is not None or goal.angle else ()
         return not any(each.diff(unknown.name).substitute({slide.name: Scalar.of(0)}) for each in known)
 
     def by(self, rule: str) -> tuple[Step, ...]:

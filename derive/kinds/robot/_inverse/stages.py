@@ -62,7 +62,8 @@ class Stages:
             if hand and decoupling and orientation is None:
                 orientation = self._orientation(progress, decoupling)
             poses = self._shoulder(angle) if by_angle and angle else self._poses(hand)
-            write(Solving(progress, poses, planned.subproblem), planned.stage)
+            wrist = decoupling.joint if decoupling else None
+            write(Solving(progress, poses, planned.subproblem, wrist), planned.stage)
         return Worked(
             self.problem,
             self.chain,

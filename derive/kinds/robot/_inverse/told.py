@@ -11,6 +11,7 @@ from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.choices import Choices
 from derive.kinds.robot._inverse.evaluated import Evaluated
 from derive.kinds.robot._inverse.facts import ByAngle, Facts, SolvedFacts, Wrist
+from derive.kinds.robot._inverse.left_open import Choosable
 from derive.kinds.robot._inverse.postures import explained
 from derive.kinds.robot._inverse.subproblem import Solved
 from derive.kinds.robot._inverse.worked import Orientation, Worked
@@ -35,6 +36,7 @@ class Told:
     worked: Worked
     solutions: Solutions
     choices: Choices
+    open: Sequence[Choosable] = ()
 
     def facts(self, partial: bool, values: Evaluated, degrees: bool) -> Facts:
         """What the words choose their sentences by."""
@@ -44,7 +46,7 @@ class Told:
             at_pose=_by_names(worked.pose),
             known=self._known(),
             conditions=worked.conditions,
-            arm=tuple(each.facts for each in worked.arm),
+            arm=tuple(map(self._in_arm, worked.arm)),
             by_angle=self._by_angle(),
             wrist=self._wrist(),
             count=self.choices.count,
@@ -128,6 +130,11 @@ class Told:
     def _of(self, key: str) -> str:
         """The same said of a shoulder."""
         return OF_A_SHOULDER[key] if self.worked.shoulder else key
+
+    def _in_arm(self, solved: Solved) -> SolvedFacts:
+        """With the joint that may be chosen where its equations leave it open."""
+        said = next((each.said for each in self.open if each.number == solved.number), None)
+        return replace(solved.facts, chosen=said)
 
     def _in_wrist(self, solved: Solved) -> SolvedFacts:
         """What happens where the outer axes coincide is said once."""
