@@ -35,6 +35,10 @@ CLAIMED = dict.fromkeys(TIMED, "timed|all-conditions") | {"length": "all-conditi
 CLAIMED |= dict.fromkeys(("R", "angle", "axis", "q", "angles", "omega", "alpha"), "turns")
 BENT = ("n", "b")  # what a path has only where it bends
 DIFFERENCES, STRAIGHT = 1e-6, 1e-9
+TANGENTS = {  # by whether s is the arc length, and whether the path is straight
+    (True, True): "tangent-of-length-same", (True, False): "tangent-of-length-along",
+    (False, True): "tangent-same", (False, False): "tangent-along",
+}  # fmt: skip
 LENGTHS = {"steady": "length-steady", "integral": "length-integral", "quadrature": "length-quadrature"}
 
 
@@ -57,11 +61,11 @@ class CurveTold(Record):
     second: Symbol
     speed: Symbol
     sigma: Symbol = SIGMA
-    unit: bool  # whether s is the arc length
-    steady: bool
-    straight: bool
-    flat: bool
+    tangent: Phrase
+    bend: Phrase
     across: tuple[str, ...]  # the step of dp/ds x d2p/ds2, where it is needed
+    beside: Phrase | None  # of it
+    binormal: Phrase | None  # where that comes last
     frame: tuple[str, ...]  # steps of e_n and e_b
     length: Phrase | None
     lengths: tuple[str, ...]  # steps
@@ -208,6 +212,7 @@ def _curve(path: Path, found: Bent, work: Work, way: str) -> CurveTold:
     low, high = along.between or (ZERO, ZERO)
     ends: dict[str, Any] = {"s": along.s, "low": low, "high": high}
     ends |= {"start": Relation(along.s, "=", low), "end": Relation(along.s, "=", high)}
+    bend = _bend(found.straight, found.steady, found.flat)
     about = {**ends, "speed": found.speed, "sigma": SIGMA}
     return CurveTold(
         shape=shape_told(path, along.s),
@@ -219,15 +224,22 @@ def _curve(path: Path, found: Bent, work: Work, way: str) -> CurveTold:
         first=found.first,
         second=found.second,
         speed=found.speed,
-        unit=found.unit,
-        steady=found.steady,
-        straight=found.straight,
-        flat=found.flat,
+        tangent=Phrase(TANGENTS[found.unit, found.straight], {"s": along.s}),
+        bend=Phrase(bend),
+        beside=Phrase("beside-across") if bend == "bend-across" else None,
+        binormal=Phrase("then-binormal") if bend == "bend-steady" and not found.flat else None,
         across=those(found.across) if not found.steady and not found.flat else (),
         frame=those(E_N, E_B) if found.steady or found.flat else those(E_B, E_N),
         length=Phrase(LENGTHS[way], about) if way and lengths else None,
         lengths=lengths,
     )
+
+
+def _bend(straight: bool, steady: bool, flat: bool) -> str:
+    """How the curvature is seen."""
+    if straight:
+        return "bend-none"
+    return "bend-steady" if steady else "bend-flat" if flat else "bend-across"
 
 
 def _page_names(found: Bent) -> dict[str, str]:
@@ -247,9 +259,12 @@ def _said(facts: CurveTold, found: Bent, work: Work) -> tuple[bool, ...]:
     s = found.along.s.name
     squared = (work.value_matrix(found.first).T @ work.value_matrix(found.first))[0, 0]
     turned = work.value_matrix(E_T).diff(s)
+    flat = work.value_matrix(found.first).shape[0] == 2
+    bend = _bend(not turned, not squared.diff(s), flat)
     return (
-        facts.unit == (squared == 1),
-        facts.steady == (not squared.diff(s)),
-        facts.straight == (not turned),
-        facts.flat == (work.value_matrix(found.first).shape[0] == 2),
+        facts.tangent.key == TANGENTS[squared == 1, not turned],
+        facts.tangent.about == {"s": found.along.s},
+        facts.bend.key == bend,
+        (facts.beside is not None) == (bend == "bend-across") == bool(facts.across),
+        (facts.binormal is not None) == (bend == "bend-steady" and not flat),
     )
