@@ -1,11 +1,11 @@
 """Runs the words of a kind: a Jinja template whose sentences refer to the steps of a derivation.
 
 In scope of a words template: `d`, `step(name)`, `facts`, `asked`, `read`, the filters `m`, `each`
-and `listed`, and the functions `show`, `answer`, `inline`, `tell`, `table`, `plot`, `say`, `listing`, `path`,
-`em`, `strong`, `items`, `again`, `conditions`, `cited`, `found`, `worked`. Its blocks `question` and
-`phrases` are left out here. A step the words neither show nor tell is an error: nothing that was derived goes
-unsaid unnoticed. Steps are told in the order in which they were derived, so that nothing is used before it is
-found.
+and `listed`, and the functions `show`, `answer`, `result`, `inline`, `tell`, `table`, `plot`, `say`,
+`listing`, `path`, `em`, `strong`, `items`, `again`, `conditions`, `cited`, `found`, `worked`, `lengthy`. Its
+blocks `question` and `phrases` are left out here. A step the words neither show nor tell is an error: nothing
+that was derived goes unsaid unnoticed. Steps are told in the order in which they were derived, so that
+nothing is used before it is found.
 """
 
 from __future__ import annotations
