@@ -153,7 +153,7 @@ def _in_letters(robot: Robot, problem: Problem) -> Derivation:
     return work.answer(
         "forward-dynamics",
         results,
-        Facts(one=n == 1, in_full=Phrase("long") if long else None),
+        Facts(one=n == 1, in_full=Phrase("long") if long else None, page_names={"det": DET, "D_inv": D**-1}),
         matrices=frozenset({"D_inv"}),
     )
 

@@ -123,3 +123,20 @@ def test_numbers_are_those_of_the_letters() -> None:
     letters = asked.ask("forward-dynamics").results
     assert ours.accelerations == pytest.approx(np.ravel(numbers(letters["qddot"], at)))
     assert ours.motion.h == pytest.approx(np.ravel(numbers(letters["h"], at)))
+
+
+def test_the_page_of_two_joints_has_its_numbers(tmp_path: Path) -> None:
+    """det D is no name that stands alone."""
+    links = "".join(
+        f"    - {{theta: q{k}*, d: 0, a: 1, alpha: 0, mass: 1, com: [0, 0, 0], inertia: point}}\n"
+        for k in (1, 2)
+    )
+    point = "{q1: 0, q2: 90 deg, q1_dot: 0, q2_dot: 0, tau_1: 1, tau_2: 0}"
+    path = tmp_path / "sheet.yaml"
+    path.write_text(
+        "title: A test\nproblems:\n- robot:\n    gravity: [0, 0, 0]\n    links:\n"
+        f"{links}  find: forward-dynamics\n  evaluate: {point}\n",
+        encoding="utf-8",
+    )
+    (page,) = (each for each in pages(path, tmp_path, "md") if each.suffix == ".md")
+    assert "\\det D" in page.read_text(encoding="utf-8")
