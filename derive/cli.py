@@ -25,14 +25,14 @@ FORMATS = ("md", "tex", "pdf", "html", "docx", "json")
 
 def _with_ending(typed: str) -> str:
     """The sheet that is meant by its name without .yaml, "" where there is none."""
-    return next((name for end in (".yaml", ".yml") if Path(name := typed + end).is_file()), "")
+    return next((name for end in (".yaml", ".yml") if os.path.isfile(name := typed + end)), "")
 
 
 class _SheetPath(click.Path):
     """The path of a sheet that is there."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        if not Path(value).exists() and (meant := _with_ending(str(value))):
+        if not os.path.exists(value) and (meant := _with_ending(str(value))):
             self.fail(f"there is no file '{value}'; did you mean {meant}?", param, ctx)
         return super().convert(value, param, ctx)
 
@@ -48,7 +48,7 @@ class _Commands(click.Group):
 
     def _refuse_misspelt(self, ctx: click.Context, typed: str) -> None:
         """Raises UsageError for what is neither a command nor anything like a file."""
-        if typed.startswith("-") or Path(typed).suffix or Path(typed).exists():
+        if typed.startswith("-") or Path(typed).suffix or os.path.exists(typed):
             return
         from difflib import get_close_matches
 
@@ -319,7 +319,7 @@ def new(name: str, kind: str | None) -> None:
     target = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
     if not target.stem or target.name.startswith("."):
         raise click.UsageError("the sheet has no name: derive new week1 writes week1.yaml")
-    if target.exists():
+    if os.path.exists(target):
         raise click.UsageError(f"{target} exists already; choose another name")
     with guarded():
         target.write_text(starter(target.stem, kind), encoding="utf-8")
@@ -332,7 +332,7 @@ def _packages(ctx: click.Context, option: click.Parameter, value: tuple[str, ...
     found = {}
     for pair in value:
         name, sign, folder = pair.partition("=")
-        if not sign or not Path(folder).is_dir():
+        if not sign or not os.path.isdir(folder):
             raise click.BadParameter(f"'{pair}' is not NAME=DIR with a directory that is there")
         found[name] = Path(folder)
     return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any, TypeGuard
@@ -12,8 +13,10 @@ from derive.answers.solutions import Solutions
 from derive.answers.terms import Finding, Solution
 from derive.derivation import Branch
 from derive.errors import SheetError
+from derive.expression import ONE, ZERO, Expr, Matrix
 from derive.kinds.problem import TREES
 
+DIGITS = re.compile(r"[01]{2,}")
 AS_THEY_STAND = "words are compared as they stand"
 
 
@@ -24,6 +27,11 @@ def read_typed(asked: Asked) -> dict[str, Any]:
     found = {name: _Named(asked, reader, name).read(typed) for name, typed in asked.answer.items()}
     reader.finish()
     return found
+
+
+def _is_code(result: Expr | Matrix) -> bool:
+    """Whether a result is a column of digits 0 and 1."""
+    return isinstance(result, Matrix) and all(row in ((ZERO,), (ONE,)) for row in result.rows)
 
 
 def is_branches(result: Any) -> TypeGuard[tuple[Branch, ...]]:
@@ -52,6 +60,8 @@ class _Named:
         if not isinstance(result, TREES):
             self.reader.fault(f"'{self.name}' is nothing that can be compared", (self.name,), "leave it out")
             return None
+        if isinstance(typed, str) and DIGITS.fullmatch(typed) and _is_code(result):
+            typed = [*typed]  # a code is written in one word
         return self.reader.answer(typed, (self.name,))
 
     def _hint(self) -> str:

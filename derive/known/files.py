@@ -22,6 +22,11 @@ NOTHING = ""  # the digest of a file that is not there
 _NOTES: ContextVar[dict[str, Seen] | None] = ContextVar("notes", default=None)
 
 
+def lies_below(path: Path, folder: Path) -> bool:
+    """Whether it is in a folder or below it, links followed; they may lead in a circle."""
+    return Path(os.path.realpath(path)).is_relative_to(os.path.realpath(folder))
+
+
 @contextmanager
 def noting() -> Iterator[Mapping[str, Seen]]:
     """The files that are read within, as they were just before."""

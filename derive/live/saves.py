@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+from derive.known.files import lies_below
 from derive.sheet.exchange.files import ENDINGS
 
 TEXTS = (".yaml", ".yml", *ENDINGS)
@@ -31,4 +32,4 @@ def is_source(path: Path, templates: Path | None = None, output: Path | None = N
 
 
 def _inside(path: Path, folder: Path) -> bool:
-    return path.resolve().is_relative_to(folder.resolve())
+    return lies_below(path, folder)

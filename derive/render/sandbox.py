@@ -20,6 +20,7 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 from jinja2.utils import Namespace
 from jinja2.visitor import NodeTransformer
 
+from derive.known.files import lies_below
 from derive.render.skin import Dressing
 
 WORK = 1_000_000  # of one page: calls, rounds of loops, pieces of text; ours take up to 10,000
@@ -52,7 +53,7 @@ class Folder(BaseLoader):
         if ".." in PurePosixPath(template).parts:
             raise TemplateNotFound(template)
         path = self.folder / template
-        inside = path.resolve().is_relative_to(self.folder.resolve())
+        inside = lies_below(path, self.folder)
         if not inside or not path.is_file():
             raise TemplateNotFound(template)
         if path.stat().st_size > FILE:

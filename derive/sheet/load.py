@@ -11,7 +11,7 @@ from derive.errors import SheetError, SheetErrors, position
 from derive.expression import free_symbols
 from derive.figures.wish import Polyhedron, Wish
 from derive.kinds.figures import DRAWN
-from derive.known.files import noted
+from derive.known.files import lies_below
 from derive.sheet.checked import checked
 from derive.sheet.cut import cut_fault, cut_off
 from derive.sheet.doubts import POINTS, angles_of, doubts_about
@@ -19,6 +19,7 @@ from derive.sheet.faults import MOST, did_you_mean, untold
 from derive.sheet.given import PROBLEM_KEYS, GivenFigure, GivenProblem, GivenSheet
 from derive.sheet.honoured import ignored
 from derive.sheet.model import Notation, Problem, Question, Sheet
+from derive.sheet.named_files import missing
 from derive.sheet.questions import has_option, inline_question, questions
 from derive.sheet.reader import read
 from derive.sheet.source import At, Faults
@@ -224,12 +225,10 @@ def _figure(at: At, typed: str | GivenFigure, subject: str) -> bool | Path | Wis
         return typed == "true"
     folder = at.source.path.parent
     path = folder / typed
-    noted(path)
-    if not path.resolve().is_relative_to(folder.resolve()):
+    if not lies_below(path, folder):
         raise at.error("the picture lies outside the folder of the sheet", ("figure",))
-    if not path.is_file():
-        hint = "its path is relative to the sheet"
-        raise at.error(f"there is no picture {typed}", ("figure",), hint)
+    if fault := missing(path, typed, "picture"):
+        raise at.error(fault, ("figure",), "its path is relative to the sheet")
     return path
 
 

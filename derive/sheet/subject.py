@@ -10,10 +10,12 @@ from derive.errors import SheetErrors
 from derive.kinds.fields import described
 from derive.kinds.registry import kinds_of
 from derive.kinds.registry import load as kind
+from derive.known.files import lies_below
 from derive.sheet.checked import checked
 from derive.sheet.exchange.files import ENDINGS, Wish, imported
 from derive.sheet.exchange.library import Library
 from derive.sheet.faults import MOST, did_you_mean
+from derive.sheet.named_files import missing, neighbours
 from derive.sheet.reader import read
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known, load, subjects
@@ -77,19 +79,11 @@ def _beside(at: At, name: str, typed: str) -> Path:
     """The path of a file named in a sheet, which must lie in the folder of the sheet or below it."""
     folder = at.source.path.parent
     path = folder / typed
-    if not path.resolve().is_relative_to(folder.resolve()):
+    if not lies_below(path, folder):
         hint = f"move it to the folder of the sheet: {name}s/{Path(typed).name}"
         raise at.error("the file lies outside the folder of the sheet", (name,), hint)
-    if not path.is_file():
-        near = (
-            sorted(
-                str(file.relative_to(folder))
-                for file in path.parent.iterdir()
-                if file.suffix in (".yaml", ".yml", *ENDINGS)
-            )
-            if path.parent.is_dir()
-            else []
-        )
+    if fault := missing(path, typed, "file"):
+        near = neighbours(path, folder, (".yaml", ".yml", *ENDINGS))
         hint = did_you_mean(typed, near, "there are") or "its path is relative to the sheet"
-        raise at.error(f"there is no file {typed}", (name,), hint)
+        raise at.error(fault, (name,), hint)
     return path

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from derive.control.system import System
+from derive.errors import SheetErrors
 from derive.expression import ZERO, Degrees, Number, Quotient, Symbol, number
 from derive.mechanics.bodies import Box, Cylinder, Moments, PointMass, Rod, Sphere
 from derive.mechanics.frames import ByMatrix, Frames, Observed
@@ -154,3 +155,13 @@ def test_options_know_the_declared_names(tmp_path: Path) -> None:
     assert options.at[1] == number("1/10", True)
     assert options.at[0] == number(2)  # a length is wanted, so m is the metre
     assert options.frame == 2
+
+
+def test_links_that_lead_in_a_circle(tmp_path: Path) -> None:
+    (tmp_path / "one.yaml").symlink_to("two.yaml")
+    (tmp_path / "two.yaml").symlink_to("one.yaml")
+    sheet = tmp_path / "sheet.yaml"
+    sheet.write_text("title: t\nproblems:\n- robot: one.yaml\n  find: jacobian\n")
+    with pytest.raises(SheetErrors) as caught:
+        load_sheet(sheet)
+    assert [error.message for error in caught.value.errors] == ["one.yaml is no ordinary file"]

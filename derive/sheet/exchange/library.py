@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from derive.known.files import noted
+from derive.known.files import lies_below, noted
 
 INCLUDED = (".xacro", ".urdf", ".xml")
 
@@ -34,5 +34,5 @@ class Library:
 
     def _may_be_read(self, path: Path) -> bool:
         noted(path)
-        inside = self.folder is None or path.resolve().is_relative_to(self.folder.resolve())
+        inside = self.folder is None or lies_below(path, self.folder)
         return inside and path.suffix.lower() in INCLUDED and path.is_file()
