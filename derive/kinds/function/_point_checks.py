@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from derive.algebra.numbers.floats import Point, completed, number
 from derive.derivation import Branch, Claim, Phrase, Said, Step, Table
 from derive.expression import Call, Derivative, Expr, Relation, Symbol, add, multiply
-from derive.kinds.checks import close, random_points, route
+from derive.kinds.checks import close, law, random_points, route
 from derive.kinds.fields import TREES
 from derive.kinds.function._landscape import Landscape, Lie
 from derive.kinds.meanings import Chain, Names, farthest, told
@@ -102,7 +102,8 @@ class PointsTold:
             (False, True, True): "odd-minors", (False, True, False): "even-minors",
             (False, False, True): "odd-determinant", (False, False, False): "even-determinant",
         }[free, several, odd]  # fmt: skip
-        keys = ["by-the-hessian" if free else "by-the-border", rule]
+        border = "by-the-border-of-one" if m == 1 else "by-the-border"
+        keys = ["by-the-hessian" if free else border, rule]
         counted = all(each.about.get("count", n - m) == n - m for each in said)
         along = flat is None or flat.key == ("flat" if free else "flat-along")
         return route("tests", ([each.key for each in said] in ([], keys), counted, along))
@@ -114,7 +115,9 @@ class PointsTold:
             return
         values = ((reach.about.get("greatest"), 1), (reach.about.get("smallest"), -1))
         told_of = [(tree, sign) for tree, sign in values if isinstance(tree, TREES)]
-        signs = {"compact": [1, -1], "falls": [1], "grows": [-1]}[reach.key]
+        one = "compact-of-one" if len(self.land.g) == 1 else "compact"
+        yield law("said", reach.key in (one, "falls", "grows"))
+        signs = {"compact": [1, -1], "compact-of-one": [1, -1], "falls": [1], "grows": [-1]}[reach.key]
         yield route("which", ([sign for _, sign in told_of] == signs, reach.about["name"] == self.name))
         names = self.problem.symbols | {*self.land.variables}
         there = [completed(at, self.problem.where) for at in random_points(names, TRIED)]

@@ -20,9 +20,10 @@ def tests_of(variables: int, constraints: int, found: Sequence[Point]) -> tuple[
     if not constraints:
         det = Relation(Call("det", (HESSIAN,)), "!=", ZERO)
         return Phrase("by-the-hessian"), Phrase("minors", {"det": det}) if count > 1 else Phrase("curvature")
+    border = Phrase("by-the-border-of-one" if constraints == 1 else "by-the-border")
     if count == 1:
-        return Phrase("by-the-border"), Phrase("odd-determinant" if odd else "even-determinant")
-    return Phrase("by-the-border"), Phrase("odd-minors" if odd else "even-minors", {"count": count})
+        return border, Phrase("odd-determinant" if odd else "even-determinant")
+    return border, Phrase("odd-minors" if odd else "even-minors", {"count": count})
 
 
 def flat_test(found: Sequence[Point], constrained: bool) -> Phrase | None:
@@ -32,12 +33,15 @@ def flat_test(found: Sequence[Point], constrained: bool) -> Phrase | None:
     return Phrase("flat-along" if constrained else "flat")
 
 
-def reached(limits: Reach, name: Symbol, greatest: Expr | None, smallest: Expr | None) -> Phrase | None:
+def reached(
+    limits: Reach, name: Symbol, greatest: Expr | None, smallest: Expr | None, constraints: int
+) -> Phrase | None:
     """Why there is a greatest or a smallest value, and which that is."""
     both: dict[str, Expr | None] = {"name": name, "greatest": greatest, "smallest": smallest}
     about: dict[str, Said] = {key: tree for key, tree in both.items() if tree is not None}
     if len(about) == 1:
         return None
     if limits.highest == "compact":
-        return Phrase("compact", about) if len(about) == 3 else None
+        key = "compact-of-one" if constraints == 1 else "compact"
+        return Phrase(key, about) if len(about) == 3 else None
     return Phrase("falls" if greatest else "grows", about)

@@ -33,6 +33,7 @@ from derive.kinds.work import Work
 
 LAMBDA = Symbol("Lambda")
 SINGULAR = "singular-point"
+SINGULAR_ONE, SINGULAR_SEVERAL = "at-singular-points-of-one", "at-singular-points"
 LOCAL = {
     "maximum": "local-maximum", "minimum": "local-minimum", "saddle": "saddle-point",
     "undecided": "undecided", "isolated": "isolated-point", "singular": SINGULAR,
@@ -88,6 +89,8 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
     cases = told(case, problem, function.variables)
     work = work.claim(checked.lines(steps), *checked.points())
     work = work.claim(*cases_told(cases, function.variables, problem))
+    singular_points = SINGULAR_ONE if len(function.constraints) == 1 else SINGULAR_SEVERAL
+    greatest, smallest = (_best(each, found, best, problem) for each in ("maximum", "minimum"))
     facts = Facts(
         goal=goal, value=Relation(name, "=", function.values[0]) if multipliers else None,
         name=name if any(step.rule == "dependent" for step in steps) else None,
@@ -98,12 +101,13 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
         enclosed=Phrase("enclosed") if is_enclosed([p.solution for p in found]) else None,
         tests=tests_of(len(function.variables), len(function.constraints), found),
         flat=flat_test(found, bool(multipliers)), table=table if found else None,
-        singular=Phrase("at-singular-points") if any(p.kind == "singular" for p in found) else None,
-        reach=reached(limits, name, *(_best(each, found, best, problem) for each in ("maximum", "minimum"))),
+        singular=Phrase(singular_points) if any(p.kind == "singular" for p in found) else None,
+        reach=reached(limits, name, greatest, smallest, len(function.constraints)),
     )  # fmt: skip
     work = work.claim(*checked.greatest_and_smallest(facts.reach), checked.tests(facts.tests, facts.flat))
     singular = any(SINGULAR in _keys(each) for when in said for each in when)
-    work = work.law("said", (facts.singular is not None) == singular)
+    one = facts.singular is None or (facts.singular.key == SINGULAR_ONE) == (len(function.constraints) == 1)
+    work = work.law("said", ((facts.singular is not None) == singular, one))
     return work.answer(kind, {"solutions": solutions}, facts)
 
 

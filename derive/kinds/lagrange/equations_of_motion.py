@@ -100,6 +100,8 @@ def _said(system: LagrangianSystem, work: Work, facts: Facts) -> Iterator[bool]:
     holding = [free_symbols(side) & rates for pair in facts.constraints for side in pair]
     yield facts.velocity == any(holding)
     yield len(facts.multipliers) == len(facts.constraints) == len(facts.derivatives)
+    said = [step.facts.said.key for step in work.steps if isinstance(step.facts, Conserved)]
+    yield all(key == "jacobi" or (key == "conserved-held") == bool(system.constraints) for key in said)
     yield facts.gravity is None or facts.gravity == column(system.gravity)
     yield (facts.dissipation is None) == (system.dissipation == ZERO)
     yield facts.dissipation is None or facts.dissipation[1] == system.dissipation
@@ -165,7 +167,8 @@ def _conserved(model: Model) -> Iterator[Step]:
         total = energy(model.lagrangian, system)
         whole = sum((*model.kinetic, *model.potential), Scalar.of(0))
         name = Symbol(model.letters.energy if total == whole else model.letters.jacobi)
-        facts = Conserved(said=Phrase("conserved" if total == whole else "jacobi"))
+        kept = "conserved-held" if system.constraints else "conserved"
+        facts = Conserved(said=Phrase(kept if total == whole else "jacobi"))
         yield Step(name.name, (name, written_side(total, system, model.problem)), "energy", facts)
 
 

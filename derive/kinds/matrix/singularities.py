@@ -51,7 +51,7 @@ def derive(given: GivenMatrix, options: Options, problem: Problem) -> Derivation
     way = make(Work(problem), block, "rows", _search(given, problem), Phrase("end-effector"))
     sets = graded(problem, way, J, _search(given, problem), MOST)
     seen = _in_numbers(given, problem)
-    lengths = lengths_told(seen, problem.assumptions, sets)
+    lengths = lengths_told(seen, problem.assumptions, sets, way)
     solutions = branches(problem, sets, way.point)
     facts = facts_of(problem, way, sets, lengths, bool(given.sliding))
     results: dict[str, Result] = {

@@ -55,7 +55,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     way = _way(task, options)
     sets = _analysed(task, way)
     J = of_arm(task, way)
-    lengths = lengths_told(J, problem.assumptions, sets)
+    lengths = lengths_told(J, problem.assumptions, sets, way)
     sliding = any(link.joint != "revolute" for link in robot.links if link.variable)
     solutions = branches(problem, sets, way.point)
     facts = facts_of(problem, way, sets, lengths, sliding)

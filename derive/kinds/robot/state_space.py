@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from derive.algebra.numbers.floats import Point, numbers
-from derive.derivation import Derivation, LinearSystem, PageFacts, Phrase, Result, Step, as_matrix
+from derive.derivation import Derivation, LinearSystem, PageFacts, Phrase, Result, Said, Step, as_matrix
 from derive.expression import Expr, Symbol, children, column
+from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
@@ -19,6 +20,7 @@ from derive.kinds.robot._efforts import effort
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
+POINTS = 2  # at which joint forces are compared
 CLAIMED = {"A": "differences", "B": "differences"}
 
 NEEDS = ("bodies",)
@@ -37,6 +39,7 @@ class Facts(PageFacts):
     linear: bool
     long: bool
     viscous: bool
+    rest: Phrase | None  # what becomes of the terms with rates
     coulomb: Phrase | None
     idle: Phrase | None  # what no joint needs there
     blocks: bool  # whether A and B are made of more than four and two entries
@@ -67,11 +70,42 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         linear=linear is not None,
         long=bool(linear and linear.long),
         viscous=bool(linear and linear.friction),
+        rest=(rest := _rest(arm, bool(linear.friction)) if linear else None),
         coulomb=Phrase("coulomb-left-out") if linear and friction_sorts(robot)[1] else None,
         idle=effort(robot) if linear and not linear.torques else None,
         blocks=len(robot.variables) > 1,
     )
+    if linear:
+        work = work.claim(route("rest", _seen_at_rest(arm, rest)))
     return work.answer("state-space", results, facts, matrices=frozenset({"A", "B"}))
+
+
+def _rest(arm: Arm, viscous: bool) -> Phrase | None:
+    """What becomes of the terms with rates; nothing where there are none."""
+    quadratic = any(value for _, value in arm.christoffel.items())
+    about: dict[str, Said] = {"F": Symbol("F_v")} if viscous else {}
+    match quadratic, viscous:
+        case True, _:
+            return Phrase("quadratic-and-friction" if viscous else "quadratic", about)
+        case _, True:
+            return Phrase("friction", about)
+    return None
+
+
+def _seen_at_rest(arm: Arm, told: Phrase | None) -> Iterator[bool]:
+    """Whether terms quadratic in the rates, and viscous friction, are told of just where joint forces have
+    such: without friction they are even in the rates."""
+    key, slow = told.key if told else "", [name + "_dot" for name in arm.variables]
+    points = list(random_points(arm.moving, POINTS))
+
+    def forces(at: Point, by: float) -> list[float]:
+        return list(arm.rigid.torques({**at, **{name: by * at[name] for name in slow}}))
+
+    turned = [(forces(at, 0.0), forces(at, 1.0), forces(at, 2.0)) for at in points]
+    yield any(not close(still, once) for still, once, _ in turned) == key.startswith("quadratic")
+    for still, once, twice in turned:
+        yield all(close(c - a, 4 * (b - a)) for a, b, c in zip(still, once, twice, strict=True))
+    yield (told is not None and told.about.get("F") == Symbol("F_v")) == key.endswith("friction")
 
 
 def _with_rates(forward: Derivation, arm: Arm) -> Expr:

@@ -16,7 +16,7 @@ from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Branch, Claim, Phrase, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Relation, Symbol
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.robot._singular.descent import fallen_to
 from derive.kinds.robot._singular.facts import CaseTold, SetTold
@@ -174,6 +174,12 @@ class Checked:
             moved = [{**here, **dict(zip(block.rows, map(float, column), strict=True))} for column in J.T]
             sums = (numeric.number(each[0], there) for each in case.satisfied for there in moved)
             yield from (abs(each) <= size for each in sums)
+            yield len(case.missing) == len(case.satisfied)
+            beyond = (
+                np.array([_components(each, here).get(row, 0.0) for row in block.rows])
+                for each in case.missing
+            )
+            yield from (rank_at(np.column_stack([J, w])) > case.rank for w in beyond)
             yield from (rank_at(np.hstack([J, R])) == rank_at(R) == case.rank for R in spanned)
 
     def _found(self, at: Values) -> Iterator[bool]:
@@ -239,3 +245,17 @@ def _spaces(numbers: InNumbers, each: Analysed, case: Case) -> Iterator[bool]:
                 v = np.array(numeric.matrix_numbers(vector, here))
                 longest = max(1.0, float(np.abs(v).max()))
                 yield bool(np.abs(matrix @ v).max() <= SMALL * size * longest)
+
+
+def _components(told: Phrase, here: Values) -> dict[str, float]:
+    """Those of a motion that is told to be lost, by the names of the rows."""
+    said = told.about["components"]
+    found: dict[str, float] = {}
+    for each in said if isinstance(said, tuple) else ():
+        if (
+            isinstance(each, Relation)
+            and isinstance(each.left, Symbol)
+            and not isinstance(each.right, Relation)
+        ):
+            found[each.left.name] = float(arrays(each.right, here)) if each.sign == "=" else 0.0
+    return found

@@ -9,7 +9,7 @@ from typing import TypeAlias
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import PageFacts, Phrase, Record, Said
-from derive.expression import ZERO, Expr, Product, Symbol, add, free_symbols, multiply, transpose
+from derive.expression import ZERO, Expr, Product, Relation, Symbol, add, free_symbols, multiply, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._degrees import in_degrees
 from derive.kinds.robot._determinants import mostly_negative
@@ -36,6 +36,7 @@ class CaseTold(Record):
     range: tuple[Chain, ...]
     lost: tuple[Chain, ...]
     satisfied: tuple[Chain, ...]
+    missing: tuple[Phrase, ...]  # a motion for each of these equations that does not satisfy it
 
 
 class Inside(Record):
@@ -208,7 +209,18 @@ def _case(problem: Problem, way: Way, each: Analysed, case: Case) -> CaseTold:
         range=_basis(problem, spanned, case.range if shown else ()),
         lost=() if mixed else _basis(problem, lost, case.lost),
         satisfied=tuple(_satisfied(problem, each.block.rows, u) for u in case.lost if mixed),
+        missing=tuple(_missing(problem, each.block.rows, u) for u in case.lost if mixed),
     )
+
+
+def _missing(problem: Problem, rows: tuple[str, ...], u: ScalarMatrix) -> Phrase:
+    """The part of u that is a velocity, or else the whole: times u it is a sum of squares, which is not
+    zero."""
+    coefficients = [entry for (entry,) in written(problem, _positive(problem, u)).rows]
+    pairs = [(row, c) for row, c in zip(rows, coefficients, strict=True) if c != ZERO]
+    chosen = [(row, c) for row, c in pairs if row.startswith("v")] or pairs
+    components = tuple(Relation(Symbol(row), "=", c) for row, c in chosen)
+    return Phrase("motion-lost", {"components": components})
 
 
 def _satisfied(problem: Problem, rows: tuple[str, ...], u: ScalarMatrix) -> Chain:

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from derive.derivation import Claim, Phrase
 from derive.kinds.checks import random_points, route
 from derive.kinds.robot._singular.checks import InNumbers
+from derive.kinds.robot._singular.minors import Way
 from derive.kinds.robot._singular.search import Values, placed, rank_at
 from derive.kinds.robot._singular.sets import Analysed
 
@@ -15,9 +16,15 @@ POINTS, MOST = 2, 20
 NOT_ZERO = ("positive", "nonzero")
 
 
-def lengths_told(J: InNumbers, assumptions: Mapping[str, str], sets: Sequence[Analysed]) -> Phrase | None:
-    """Nothing where the sheet says that they are not zero, and the ranks hold at special lengths too."""
-    names = _names(J)
+def lengths_told(
+    J: InNumbers, assumptions: Mapping[str, str], sets: Sequence[Analysed], way: Way
+) -> Phrase | None:
+    """Nothing where the matrix has none, or where the sheet says that they are not zero, and the ranks hold
+    at special lengths too."""
+    letters = frozenset[str]().union(
+        *(entry.letters() for each in way.parts for entry in each.block.J.entries)
+    )
+    names = [name for name in _names(J) if name in letters or way.name == "wrist"]
     if not names:
         return None
     if not all(_ranks(J, sets)):
