@@ -142,6 +142,8 @@ def at_point(
     found = distinct.solutions(len(conditions))
     real = [any(each.values for each in configurations(k, {}, 0.0, False)) for k in range(len(conditions))]
     entries = listed(found, conditions, real, target.spare)
+    had = {k for each in found for k in each.branches}
+    unreal = len(conditions) - len(had) if found and not target.spare else 0
     return Evaluated(
         {"solutions": entries},
         AtPlace(
@@ -149,6 +151,8 @@ def at_point(
             missed=any(real) and not found,
             free=any(each.self_motion for each in found),
             rounded=rounding > REACHED,
+            unreal=unreal,
+            of=len(conditions),
         ),
         Numbers(point, point, size, tolerance),
         tuple(each.branches for each in in_order(found, len(conditions))),

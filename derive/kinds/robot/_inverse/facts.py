@@ -212,12 +212,14 @@ class Triangle(Record):
 class AtPlace(Record):
     """At the place asked for: `out_of_reach` where no branch is real, `missed` where some are but do not
     bring the end-effector there, `free` where an unknown can be chosen at will, `rounded` where the nearest
-    rotation was taken for the one typed."""
+    rotation was taken for the one typed; `unreal` branches `of` all have no real values where others have."""
 
     out_of_reach: bool = False
     missed: bool = False
     free: bool = False
     rounded: bool = False
+    unreal: int = 0
+    of: int = 0
 
     @property
     def said(self) -> tuple[Phrase, ...]:
@@ -228,7 +230,11 @@ class AtPlace(Record):
             "rounded-pose": self.rounded,
             "missed": self.missed,
         }
-        return tuple(Phrase(key) for key, holds in cases.items() if holds)
+        told = tuple(Phrase(key) for key, holds in cases.items() if holds)
+        if not self.unreal:
+            return told
+        key = "one-unreal" if self.unreal == 1 else "some-unreal"
+        return (Phrase(key, {"unreal": self.unreal, "all": self.of}), *told)
 
 
 class Facts(PageFacts):

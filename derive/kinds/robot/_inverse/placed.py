@@ -64,6 +64,7 @@ class Placed:
         yield from self._is_labelled(at)
         yield (place.out_of_reach or place.missed) == (not real)
         yield place.free == any("free" in each for each in real)
+        yield place.unreal in (0, self._without_values(at)) and place.unreal < place.of
         for entry in real:
             yield self._misses(at, at.typed, entry) <= 2 * at.tolerance
             yield from self._is_told(at, entry)
@@ -73,6 +74,13 @@ class Placed:
                 yield any(self._is_of(branch, each) and self._same(each, values, at) for each in real)
             else:  # a branch may be real by other equations where its formulas fail
                 yield any(self._is_of(branch, each) for each in self._entries)
+
+    def _without_values(self, at: Numbers) -> int:
+        """The branches that no entry has, and whose formulas have no real values."""
+        labelled = zip(self._entries, self.found.branches, strict=True)
+        had = {k for entry, branches in labelled if entry.get("real", True) for k in branches}
+        missing = (branch for k, branch in enumerate(self.branches) if k not in had)
+        return sum(self._printed(branch, at.point) is None for branch in missing)
 
     def _is_labelled(self, at: Numbers) -> Iterator[bool]:
         """Whether each entry is of the branches it is said to be of, and is off its place as it is said."""
