@@ -6,8 +6,10 @@ from typing import Literal
 
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Record, Result, Step, Table
 from derive.expression import ZERO
+from derive.kinds.checks import route
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.robot._rows.dh_axes import axes_seen, axes_told
 from derive.kinds.robot._rows.dh_checks import as_seen, measures_of, moves_of, products_of, shifted
 from derive.kinds.robot._rows.dh_found import found_rows, frame_lines
 from derive.kinds.robot._rows.dh_rows import Rows
@@ -46,6 +48,7 @@ class End(Record):
 class Facts(PageFacts):
     table: Table
     given: Given | None = None
+    axes: tuple[Phrase, ...] = ()  # how each lies to the one before
     restated: Restated | None = None
     found: Found | None = None
     anew: bool = False  # the arm has other frames, by which it is given
@@ -63,6 +66,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     convention = options.convention or robot.convention
     given, work = _given(robot), Work(problem)
     moves, products, found, claims = None, None, None, tuple[Claim, ...]()
+    axes: tuple[Phrase, ...] = ()
     if given is None:
         rows, assignment = found_rows(robot, convention, problem)
         work, found = frame_lines(work, assignment, convention), found_told(assignment, convention)
@@ -70,6 +74,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     elif convention == robot.convention:
         rows, moves = given, given_told(convention)
         claims = (moves_of(moves, convention),)
+        if axes := axes_told(given.rows, convention, problem.where):
+            claims = (*claims, route("axes-seen", axes_seen(axes, convention, problem)))
     else:
         rows, products = restated(robot, given, convention), restated_told(robot.convention, convention)
         claims = (
@@ -90,6 +96,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     facts = Facts(
         table=table,
         given=moves,
+        axes=axes,
         restated=products,
         found=found,
         anew=not robot.by_screws,
