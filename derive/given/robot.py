@@ -19,6 +19,8 @@ from derive.mechanics.motion import Motion
 from derive.mechanics.robot import DHRow, FreeRow, Link, Robot, ScrewRow
 from derive.mechanics.screws import screw_form
 
+TABLES = ("denavit|dh",)  # where other rows stand beside it, the numbers of a table alone do not say it
+
 
 def data(robot: Robot, problem: Problem) -> Iterator[Datum]:
     """The chain from base to end-effector, then what it carries. Raises Misgiven."""
@@ -66,7 +68,10 @@ def _rows(robot: Robot) -> Iterator[Datum]:
             (str(i), *(ZERO if entry == Degrees(ZERO.value) else entry for entry in line[1:]))
             for (i, _, _), line in zip(kept, table.rows, strict=True)
         )
-        yield Datum(Phrase(f"rows-{robot.convention}"), Table(table.headings, lines))
+        mixed = len(kept) < len(robot.links)
+        yield Datum(
+            Phrase(f"rows-{robot.convention}"), Table(table.headings, lines), words=TABLES if mixed else ()
+        )
     for i, link in enumerate(robot.links, 1):
         if isinstance(link.row, FreeRow):
             frames = {"frame": number(i), "before": number(i - 1)}

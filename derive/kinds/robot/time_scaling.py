@@ -68,6 +68,8 @@ class Facts(PageFacts):
     needed: str
     table: Table
     greatest: Phrase
+    needs: Phrase
+    again: tuple[Phrase, ...]
     factor: str
     time: str
     verdict: Phrase
@@ -100,6 +102,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         needed="needed",
         table=told.table,
         greatest=told.greatest,
+        needs=told.needs,
+        again=told.again,
         factor="factor",
         time="time",
         verdict=told.verdict,

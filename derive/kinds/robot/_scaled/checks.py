@@ -126,17 +126,17 @@ def _needed(demands: Demands, t: float, joint: int) -> float:
 
 
 def keeps(demands: Demands, told: Told) -> Iterator[bool]:
-    """In the new time no torque is beyond its limit, and one just reaches it when it is said."""
+    """In the new time no torque is beyond its limit, and one just reaches it, at its first moment."""
     import numpy as np
 
     k = max(each.k for each in demands.peaks)
     moved, most = Moved(demands, k), np.array(demands.most)
     for place in range(GRID + 1):
         yield bool((abs(moved.torques(demands.whole * place / GRID)) <= most * (1 + LOOSE)).all())
-    joint, t = told.greatest.about["joint"], told.greatest.about["t"]
-    yield told.active.about == {"joint": joint}
-    if isinstance(joint, int) and isinstance(t, TREES):
-        reached = abs(moved.torques(number(t, {}))[joint - 1]) / most[joint - 1]
+    joint = told.active.about["joint"]
+    yield told.greatest.about == ({"joint": joint} if len(most) > 1 else {})
+    if isinstance(joint, int):
+        reached = abs(moved.torques(demands.peaks[joint - 1].t)[joint - 1]) / most[joint - 1]
         yield isclose(reached, 1.0, rel_tol=LOOSE)
     else:
         yield False
@@ -156,6 +156,15 @@ def as_tabled(demands: Demands, told: Told, results: Mapping[str, Result]) -> It
             beyond = abs((slower.torques(time) if slower else moved.torques(time, still=True))[i])
             yield bool(beyond <= most * (1 + LOOSE))
         yield slower is None or isclose(abs(slower.torques(t)[i]), most, rel_tol=LOOSE)
+    for said in told.again:
+        joint, times = said.about["joint"], said.about["times"]
+        if not isinstance(joint, int) or not isinstance(times, tuple):
+            raise TypeError("a joint and times are wanted")
+        slower = Moved(demands, factors[joint - 1])
+        for each in times:
+            reached = abs(slower.torques(number(each, {}))[joint - 1]) if isinstance(each, TREES) else 0.0
+            yield isclose(reached, demands.most[joint - 1], rel_tol=LOOSE)
+            yield number(each, {}) > moments[joint - 1] if isinstance(each, TREES) else False
 
 
 def as_drawn(demands: Demands, told: Told) -> Iterator[bool]:
@@ -182,7 +191,9 @@ def right_words(demands: Demands, told: Told) -> Iterator[bool]:
     )
     yield (beyond > 1 + BOUND) <= (told.verdict.key == "not-kept")
     yield (beyond < 1 - BOUND) <= (told.verdict.key == "kept")
-    yield told.law.key == (f"by-{demands.plan.law}" if demands.plan.law else "by-functions")
+    one = "-one" if len(torques(0.0)) == 1 else ""
+    yield told.law.key == (f"by-{demands.plan.law}{one}" if demands.plan.law else "by-functions")
+    yield (told.needs.key, told.greatest.key) == (f"needs{one}", f"greatest{one}")
     yield told.law.about.get("s") == (demands.plan.shares[0].chain[0] if demands.plan.law else None)
     k_name = told.names.k
     yield told.slower.about == {"k": k_name, "square": squared(k_name)}

@@ -7,9 +7,9 @@ manipulator trajectories, 1984; Siciliano et al., section 7.7).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from math import sqrt
+from math import isclose, sqrt
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.compiled import compiled
@@ -24,18 +24,22 @@ if TYPE_CHECKING:
 
 SAMPLES = 400  # over the whole time
 CLOSER = 60  # thirds of an interval
+TOPS, SAME = 6, 1e-9  # so many times are told at which a joint needs most; how equal they are
+NEARLY = 0.999  # of the greatest sample
 GOLDEN = (sqrt(5) - 1) / 2
 TOO_WEAK = "joint {} cannot hold the arm against gravity at t = {:.3g} s: no motion is slow enough"
 
 
 @dataclass(frozen=True, slots=True)
 class Peak:
-    """When a joint needs most, its torques then, whole and of gravity, and the factor that it needs."""
+    """When a joint needs most, its torques then, whole and of gravity, and the factor that it needs;
+    `again` are later times at which it needs as much."""
 
     t: float
     tau: float
     g: float
     k: float
+    again: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -88,13 +92,24 @@ class Demands:
         return tuple(self._peak(joint) for joint in range(len(self.most)))
 
     def _peak(self, joint: int) -> Peak:
-        """By samples, then closer about the greatest."""
+        """By samples, then closer about the greatest ones; the first where it is reached again."""
         times = [self.whole * k / SAMPLES for k in range(SAMPLES + 1)]
         found = [self.at(t, joint) for t in times]
         heavy = next((each for each in found if abs(each.g) >= self.most[joint]), None)
         if heavy is not None:
             raise NotDerivable(TOO_WEAK.format(joint + 1, heavy.t))
         best = max(range(len(found)), key=lambda place: found[place].k)
+        tops = _tops([each.k for each in found])
+        closer = [self._closer(place, found, joint) for place in (tops if len(tops) <= TOPS else [best])]
+        most = max(each.k for each in closer)
+        first, *rest = (each for each in closer if isclose(each.k, most, rel_tol=SAME))
+        apart = self.whole / SAMPLES
+        pairs = zip(rest, (first, *rest), strict=False)
+        return replace(first, again=tuple(each.t for each, last in pairs if each.t - last.t > apart))
+
+    def _closer(self, best: int, found: Sequence[Peak], joint: int) -> Peak:
+        """The greatest about a sample."""
+        times = [each.t for each in found]
         low, high = times[max(best - 1, 0)], times[min(best + 1, SAMPLES)]
         for _ in range(CLOSER):
             width = GOLDEN * (high - low)
@@ -103,6 +118,14 @@ class Demands:
             else:
                 low = high - width
         return max(found[best], self.at((low + high) / 2, joint), key=lambda each: each.k)
+
+
+def _tops(factors: Sequence[float]) -> list[int]:
+    """Where none beside it is greater, and none anywhere by much."""
+    least = NEARLY * max(factors)
+    beside = [0.0, *factors, 0.0]
+    around = zip(beside, factors, beside[2:], strict=False)
+    return [i for i, (before, here, after) in enumerate(around) if here >= max(before, after, least)]
 
 
 def needed(tau: float, g: float, most: float) -> float:

@@ -24,12 +24,13 @@ from derive.expression import (
 from derive.figures.axes import IN_TIME, short
 from derive.kinds.path._timing import T as MOMENT
 from derive.kinds.problem import Problem
-from derive.kinds.robot._scaled.demands import Demands
+from derive.kinds.robot._scaled.demands import Demands, Peak
 from derive.kinds.robot._units import of_variables
 from derive.names import free
 
 JUST = 1e-9  # of a factor that is 1
 DRAWN = 160  # places of a curve
+BY_LAW = {"cubic": ("by-cubic", "by-cubic-one"), "quintic": ("by-quintic", "by-quintic-one")}
 LIMITS: dict[Label, float] = {Phrase("limit"): 1.0, Phrase("limit-back"): -1.0}
 
 
@@ -49,7 +50,8 @@ class Names:
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """`active` is the joint that needs most, `greatest` says when too, `verdict` whether limits are kept."""
+    """`active` is the joint that needs most, `again` says when else one needs as much, `verdict` whether
+    limits are kept."""
 
     names: Names
     law: Phrase
@@ -59,6 +61,8 @@ class Told:
     table: Table
     active: Phrase
     greatest: Phrase
+    needs: Phrase
+    again: tuple[Phrase, ...]
     verdict: Phrase
     picture: Panels
 
@@ -71,16 +75,18 @@ def told_of(demands: Demands) -> Told:
     k = max(each.k for each in peaks)
     joint = max(range(len(peaks)), key=lambda place: peaks[place].k)
     key = "just-kept" if isclose(k, 1, rel_tol=JUST) else "not-kept" if k > 1 else "kept"
-    law = demands.plan.law
+    law, one = demands.plan.law, len(peaks) == 1
     return Told(
         names,
-        Phrase(f"by-{law}", {"s": demands.plan.shares[0].chain[0]}) if law else Phrase("by-functions"),
+        Phrase(BY_LAW[law][one], {"s": demands.plan.shares[0].chain[0]}) if law else Phrase("by-functions"),
         Phrase("slower", {"k": names.k, "square": squared(names.k)}),
         Phrase("limit-of", {"most": names.most}),
         tuple(_steps(names, demands, k)),
         _table(names, demands),
         Phrase("active", {"joint": joint + 1}),
-        Phrase("greatest", {"joint": joint + 1, "t": Measured(Approximate(peaks[joint].t), "s")}),
+        Phrase("greatest-one") if one else Phrase("greatest", {"joint": joint + 1}),
+        Phrase("needs-one" if one else "needs"),
+        tuple(_again(i, peak) for i, peak in enumerate(peaks, 1) if peak.again),
         Phrase(key, {"k": names.k}),
         _picture(demands, k),
     )
@@ -89,8 +95,8 @@ def told_of(demands: Demands) -> Told:
 def _names(problem: Problem, T: Symbol) -> Names:
     taken = {*problem.taken, T.name}
     candidates = (
-        ("k", "kappa"), ("T_k", "T_kappa"), ("tau_i", "Q_i"), ("g_i", "G_i"), ("tau_Mi", "Q_Mi"),
-        ("tau_new_i", "Q_new_i"), ("k_i", "kappa_i"),
+        ("lambda", "kappa"), ("T_lambda", "T_kappa"), ("tau_i", "Q_i"), ("g_i", "G_i"), ("tau_Mi", "Q_Mi"),
+        ("tau_new_i", "Q_new_i"), ("lambda_i", "kappa_i"),
     )  # fmt: skip
     return Names(*(Symbol(free(taken, *each)) for each in candidates))
 
@@ -112,16 +118,38 @@ def _steps(names: Names, demands: Demands, k: float) -> tuple[Step, ...]:
     )
 
 
+def _again(joint: int, peak: Peak) -> Phrase:
+    """When else it needs as much."""
+    times = tuple(Measured(Approximate(t), "s") for t in peak.again)
+    return Phrase("again", {"joint": joint, "times": times})
+
+
 def _table(names: Names, demands: Demands) -> Table:
-    """Of each joint the moment at which it needs most."""
+    """Of each joint the moment at which it needs most; every torque with its unit where these differ."""
     headings: tuple[Cell, ...] = (
         Phrase("joint"), MOMENT, names.tau, names.g, names.most, names.k_i,
     )  # fmt: skip
+    units = _efforts(demands) if len({*_efforts(demands)}) > 1 else ("",) * len(demands.peaks)
     rows = tuple(
-        (number(i), *map(Approximate, (peak.t, peak.tau, peak.g)), most, Approximate(peak.k))
-        for i, (peak, most) in enumerate(zip(demands.peaks, _limits(demands), strict=True), 1)
+        (
+            number(i),
+            Approximate(peak.t),
+            *(_said(each, unit) for each in (Approximate(peak.tau), Approximate(peak.g), most)),
+            Approximate(peak.k),
+        )
+        for i, (peak, most, unit) in enumerate(zip(demands.peaks, _limits(demands), units, strict=True), 1)
     )
     return Table(headings, rows)
+
+
+def _said(value: Expr, unit: str) -> Expr:
+    return Measured(value, unit) if unit else value
+
+
+def _efforts(demands: Demands) -> tuple[str, ...]:
+    """The unit of what each joint exerts."""
+    units = of_variables(demands.plan.problem.subject)
+    return tuple(units[f"tau_{i}"] for i in range(1, len(demands.most) + 1))
 
 
 def _limits(demands: Demands) -> tuple[Expr, ...]:
@@ -132,9 +160,7 @@ def _limits(demands: Demands) -> tuple[Expr, ...]:
 
 def units_of(names: Names, demands: Demands) -> dict[Expr | Phrase, str]:
     """Of times, and of torques where all joints turn, or all slide."""
-    robot = demands.plan.problem.subject
-    units = of_variables(robot)
-    sorts = {units[f"tau_{i}"] for i, _ in enumerate(robot.variables, 1)}
+    sorts = {*_efforts(demands)}
     unit = sorts.pop() if len(sorts) == 1 else ""
     forces: dict[Expr | Phrase, str] = {}
     if unit:
