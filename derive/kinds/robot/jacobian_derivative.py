@@ -7,6 +7,7 @@ from typing import Any
 
 from derive.algebra.numbers.floats import numbers
 from derive.derivation import Derivation, PageFacts
+from derive.errors import TooManyTerms
 from derive.expression import Derivative, Symbol, add, column, symbols
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
@@ -21,6 +22,7 @@ from derive.names import free
 CLAIMS = ("differences",)
 
 DIFFERENCES = 1e-4  # of differences of what is known by differences itself
+MOST_OF_J = 1500  # terms: ten joints at right angles have 2600
 J, J_DOT, Q_DOT = symbols("J J_dot q_dot")
 
 
@@ -45,6 +47,12 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """J_dot (m by n), the sum of dJ/dq_k qdot_k, and J_dot qdot (m by 1): the acceleration is
     J qddot + J_dot qdot (Siciliano et al., eq. 3.99)."""
     task = _task(options, problem)
+    terms = sum(len(entry.numerator) for row in task.J.rows for entry in row if entry)
+    if terms > MOST_OF_J:
+        raise TooManyTerms(
+            f"the Jacobian has {terms} terms, and its derivative would have many times as many (more than "
+            f"{MOST_OF_J} are not differentiated): ask for fewer rows, or give numbers to lengths and twists"
+        )
     total = add(*(Derivative(J, Symbol(n)) * Symbol(f"{n}_dot") for n in task.found.variables))
     bias = J_DOT * Q_DOT
     work = task.board().knowing({Q_DOT: column(task.rates)}).line(J_DOT, total, rule="chain-rule")
