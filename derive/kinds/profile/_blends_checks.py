@@ -104,6 +104,7 @@ class Blends:
             joined = how.about.get("joined")
             if isinstance(joined, Relation) and isinstance(joined.left, TREES):
                 chains += [(joined.left, joined.right), (how.about["a"], A)]
+                yield law("said", joined.sign == "=")
             yield route("area", (farthest(chains, each) < CLOSE for each in islice(names, EACH)))
         if possible is not None:
             yield route("which", self._which(possible))
