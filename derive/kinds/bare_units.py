@@ -24,11 +24,16 @@ def bare_units(problem: Problem) -> frozenset[str]:
     if isinstance(problem.subject, Robot):
         return frozenset(filter(None, (unit_of_lengths(problem),)))
     if isinstance(problem.subject, Path):
-        units = "/".join(_units((problem.subject, *problem.where.values()))).split("/")
-        return frozenset(unit[0] for unit in units if unit and unit[0] in "ms")
+        return meters_and_seconds((problem.subject, *problem.where.values()))
     if isinstance(problem.subject, PointPairs | Frames):
         return frozenset({"m"} & {*_units((problem.subject, *problem.where.values()))})
     return frozenset()
+
+
+def meters_and_seconds(data: Any) -> frozenset[str]:
+    """Which of them were typed with data, alone or in a velocity."""
+    units = "/".join(_units(data)).split("/")
+    return frozenset(unit[0] for unit in units if unit and unit[0] in "ms")
 
 
 def bare_forces(answers: Iterable[Derivation]) -> frozenset[str]:

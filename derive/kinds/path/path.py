@@ -12,6 +12,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Derivation, PageFacts, Phrase, Record, Result
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Relation, Symbol
+from derive.kinds.bare_units import meters_and_seconds
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.meanings import as_told
 from derive.kinds.path._drawn import drawn
@@ -40,6 +41,12 @@ TANGENTS = {  # by whether s is the arc length, and whether the path is straight
     (False, True): "tangent-same", (False, False): "tangent-along",
 }  # fmt: skip
 LENGTHS = {"steady": "length-steady", "integral": "length-integral", "quadrature": "length-quadrature"}
+
+
+def measures(path: Path) -> dict[str, str]:
+    """Of a body that turns, where times were typed in seconds."""
+    seconds = "s" in meters_and_seconds(path.timing)
+    return {"omega": "rad/s", "alpha": "rad/s^2"} if path.turned is not None and seconds else {}
 
 
 class Options(OptionsModel):

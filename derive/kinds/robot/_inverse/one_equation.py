@@ -23,6 +23,7 @@ from derive.expression import (
     atan2,
     cos,
     is_negative,
+    rebuild,
     sin,
     sqrt,
     subtract,
@@ -112,7 +113,7 @@ def _both(solving: Solving, angle: Form, trees: Trees, row: TrigEquation) -> Non
         values = general(x, y, c, by_sines)
         form = (times(a, cos(q)) + times(b, sin(q)), c) if isinstance(solving.found, Elbow) else None
         method = Method(name="general", bound=Relation(_short(squares_of(x, y)), ">=", square(c)), form=form)
-    told = progress.tree(_sided(row, q))
+    told = shortened(progress.tree(_sided(row, q)))
     sides = [_side(progress, q, row, sign) for sign in SIGNS]
     choices = [Choice(v, s, when, told=told) for v, s, when in zip(values, SIGNS, sides, strict=True)]
     solving.solved(q, choices, method)
@@ -206,6 +207,12 @@ def squares_of(x: Expr, y: Expr) -> Expr:
     """x^2 + y^2."""
     found = sum_of_squares(y, x)
     return total((square(x), square(y))) if found is None else found
+
+
+def shortened(tree: Expr) -> Expr:
+    """With its numbers of many digits as a page rounds them."""
+    short = _short(tree)
+    return rebuild(tree, shortened) if short is tree else short
 
 
 def _short(tree: Expr) -> Expr:

@@ -11,7 +11,7 @@ from derive.algebra.numbers.floats import completed, number
 from derive.algebra.scalar import Scalar
 from derive.derivation import Said
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Symbol, between, free_symbols, replace
+from derive.expression import ZERO, Expr, Symbol, between, free_symbols, replace, walk
 from derive.kinds.problem import Problem
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import Tracked
@@ -82,9 +82,17 @@ class Ranged:
         return None if angle >= WHOLE - NEARLY else span
 
     def simple_end(self, chain: tuple[Expr, ...], distance: Span) -> tuple[Expr, ...]:
-        """With the distances put in."""
+        """With the distances put in, where that tells more than the formula itself."""
         known: dict[Expr, Expr] = {R_MIN: distance.low or ZERO, R_MAX: distance.high or ZERO}
-        return (*chain, self.order.simple(replace(chain[-1], known)))
+        filled = replace(chain[-1], known)
+        simple = self.order.simple(filled)
+        told = filled == chain[-1] and 0 < _letters(filled) <= _letters(simple)
+        return chain if told else (*chain, simple)
+
+
+def _letters(tree: Expr) -> int:
+    """How many names stand in it."""
+    return sum(isinstance(node, Symbol) for node in walk(tree))
 
 
 def within_brackets(span: Span) -> Expr:
