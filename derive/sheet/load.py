@@ -149,13 +149,11 @@ def _asked(at: At, data: dict[str, Any], name: str, known: Known) -> tuple[Quest
 def _unknown(at: At, key: str) -> SheetError:
     if cut_off(at, (key,)):
         return cut_fault(at, (key,))
-    return at.fault(f"unknown key '{key}'", (key,), _key_hint(key), key=True)
-
-
-def _key_hint(key: str) -> str:
     if key == "find":
-        return "a problem has either 'find' or 'questions'"
-    return did_you_mean(key, (*PROBLEM_KEYS, "questions"), "a problem has")
+        hint = "put it under questions: as - find: ..."
+        return at.fault("a problem has either 'find' or 'questions'", (key,), hint, key=True)
+    hint = did_you_mean(key, (*PROBLEM_KEYS, "questions"), "a problem has")
+    return at.fault(f"unknown key '{key}'", (key,), hint, key=True)
 
 
 def _nothing_asked(at: At, rest: dict[str, Any]) -> SheetError:
