@@ -79,14 +79,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         which = f"the {asked} {', '.join(rows)}"
         raise NotDerivable(f"{given} of the force for {which}; give one for each", "force")
     task, work = task_of(problem, rows, options.point), Work(problem)
-    wrench = Wrench(problem, task.point, dict(zip(task.rows, force, strict=True)), options.frame == "tool")
+    components, outside = dict(zip(task.rows, force, strict=True)), options.acting == "on-robot"
+    wrench = Wrench(problem, task.point, components, options.frame == "tool", outside)
     exerted: tuple[Expr, ...] = force
     if wrench.in_tool:
         work = wrench.lines(work)
         seen = dict(zip(ROWS, wrench.turned(work), strict=True))
         task = task_of(problem, tuple(row for row in ROWS if seen[row] != ZERO) or rows, options.point)
         exerted = tuple(seen[row] for row in task.rows)
-    if options.acting == "on-robot":
+    if outside:
         work = work.given(OUTSIDE, column(exerted)).line(F, -OUTSIDE, rule="third-law")
         exerted = work.entries(F)
     else:

@@ -45,6 +45,7 @@ class Wrench:
     point: Tracked
     components: dict[str, Expr]  # by rows, vx ... wz
     in_tool: bool
+    outside: bool = False  # it is what the surroundings exert
 
     @property
     def _frame(self) -> str:
@@ -64,7 +65,10 @@ class Wrench:
     def _halves(self) -> tuple[tuple[Symbol, tuple[Expr, ...]], ...]:
         """The force and the moment (3 each) as they are given; nothing for one of which nothing is said."""
         taken = self.problem.taken
-        letters = free(taken, "f", "f_o"), free(taken, "m", "mu", "m_o")
+        if self.outside:
+            letters = free(taken, "f_ext", "f_o"), free(taken, "m_ext", "m_o")
+        else:
+            letters = free(taken, "f", "f_o"), free(taken, "m", "mu", "m_o")
         halves = (
             tuple(self.components.get(row, ZERO) for row in rows) if {*rows} & self.components.keys() else ()
             for rows in (ROWS[:3], ROWS[3:])
