@@ -120,7 +120,8 @@ def _point(solution: Solution, problem: Problem, order: Sequence[str]) -> tuple[
 
 
 def divided_by(case: Case, problem: Problem) -> tuple[Expr, ...]:
-    """The expressions in the parameters that must not vanish for the moves to be possible."""
+    """The expressions in the parameters that must not vanish for the moves to be possible, but those of which
+    the sheet says so."""
     found: dict[str, Expr] = {}
     for each in _all(case):
         for move in each.moves:
@@ -128,7 +129,8 @@ def divided_by(case: Case, problem: Problem) -> tuple[Expr, ...]:
                 _put(found, Scalar(move.value.ring, move.value.denominator), problem)
         if each.against is not None and each.against.constant is None:
             _put(found, each.against, problem)
-    return tuple(found.values())
+    sure = {Symbol(name) for name, said in problem.assumptions.items() if said in ("positive", "nonzero")}
+    return tuple(tree for tree in found.values() if tree not in sure)
 
 
 def _put(found: dict[str, Expr], value: Scalar, problem: Problem) -> None:
