@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise, product
-from math import dist, radians
+from math import degrees, dist, radians
 
+from derive.algebra.numbers.floats import number
 from derive.derivation import Place
-from derive.expression import Expr
+from derive.expression import Expr, free_symbols
 from derive.figures.arm import SMALL, Posed, length_between, place_of, posed
 from derive.figures.typical import completed
 from derive.figures.view import View, dot, in_space, onto_plane, unit
-from derive.mechanics.robot import Robot
+from derive.mechanics.robot import Link, Robot
 
 GOOD = 0.95  # clear enough for no other pose to be tried
 STRIDES, MOST_SLIDES = (0.8, 0.5, 1.3), 3  # usual lengths
@@ -42,11 +43,12 @@ def in_pose(
         found = at([0.0] * count, [0.0] * count)
         return view_of(found), found
     out = [0.8 + 0.1 * k for k in range(count)]
-    first = at([PLANAR[k % len(PLANAR)] for k in range(count)], out)
+    moving = [link for link in robot.links if link.variable]
+    here = completed(point, where)
+    first = at([_in_range(link, PLANAR[k % len(PLANAR)], here) for k, link in enumerate(moving)], out)
     view = view_of(first)
     if view.flat:
         return view, first
-    moving = [link for link in robot.links if link.variable]
     turning = [
         k for k, link in enumerate(moving) if link.joint != "prismatic" and link.variable not in wanted
     ]
@@ -63,6 +65,15 @@ def in_pose(
         others = [at(angles, [by.get(k, 1.0) for k in range(count)]) for by in _drawn_out(sliding)]
         best = max((best, *others), key=lambda each: clarity(each, view) - crossings(each, view, JAWS))
     return view, best
+
+
+def _in_range(link: Link, angle: float, here: Mapping[str, float]) -> float:
+    """This angle, or the opposite, where its joint can have it; else the middle of its range (degrees)."""
+    if link.range is None or any(not free_symbols(end) <= here.keys() for end in link.range):
+        return angle
+    low, high = (degrees(number(end, here)) for end in link.range)
+    inside = [each for each in (angle, -angle) if low <= each <= high]
+    return inside[0] if inside else (low + high) / 2
 
 
 def _drawn_out(sliding: Sequence[int]) -> Iterator[Mapping[int, float]]:

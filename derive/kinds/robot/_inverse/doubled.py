@@ -21,7 +21,7 @@ def double(solving: Solving, found: DoubleAngle) -> None:
     """The equations, their products, and these in twice the angle: two values."""
     readable, phi = solving.progress.tree, Symbol(found.unknown)
     for each in (*found.first, *found.second):
-        solving.equation(readable(each.known), readable(each.unknown))
+        solving.equation((readable(each.known), readable(each.unknown)))
     left, right = (_product(solving, pair) for pair in (found.first, found.second))
     solving.add("squares", left, times(solving.progress.tree(found.ratio), right))
     a, b, c = (solving.short(each) if each else ZERO for each in found.coefficients)

@@ -104,7 +104,7 @@ def slide(solving: Solving, found: Slide) -> None:
     shown = progress.tree(found.equation.left), progress.tree(found.equation.right)
     result = over(ordered(put_in(progress.tree(amount), progress.by_name)), slope)
     if d not in shown or result not in shown:
-        solving.equation(*shown)
+        solving.equation(shown)
     else:
         solving.equations.append(shown)
     solving.solved(d, [Choice(result)], Method(name="slide", unless=progress.may_vanish(slope)))
@@ -112,20 +112,20 @@ def slide(solving: Solving, found: Slide) -> None:
 
 def _known_sides(solving: Solving, coordinates: Iterable[Coordinate]) -> list[Expr]:
     """The known side of each equation, with a step that says what it equals."""
-    progress, known = solving.progress, []
+    progress, sides = solving.progress, list[tuple[Expr, Expr]]()
     for each in coordinates:
         turn = begins_negative(progress.known_as(each.known) or progress.tree(each.known))
         value, unknown = (-each.known, -each.unknown) if turn else (each.known, each.unknown)
-        known.append(solving.short(value))
-        solving.equation(known[-1], solving.problem.readable(unknown))
-    return known
+        sides.append((solving.short(value), solving.problem.readable(unknown)))
+    solving.equation(*sides)
+    return [known for known, _ in sides]
 
 
 def _as_they_stand(solving: Solving, coordinates: Iterable[Coordinate], square: Scalar) -> Expr:
     """The sum of the squares of the known sides, after the equations as they are."""
-    for each in coordinates:
-        solving.equation(*(solving.problem.readable(side) for side in (each.unknown, each.known)))
-    return solving.problem.readable(square)
+    readable = solving.problem.readable
+    solving.equation(*((readable(each.unknown), readable(each.known)) for each in coordinates))
+    return readable(square)
 
 
 def _cancelled(terms: Iterable[Expr]) -> list[Expr]:

@@ -50,7 +50,7 @@ def write(solving: Solving, found: OneEquation, stage: Stage) -> None:
     row = _scaled(found.row)
     row = min((row, row.negated()), key=lambda r: min(_by_sines(progress, r), _by_cosines(progress, r)))
     a, b, c = (solving.short(value) if value else ZERO for value in (row.a, row.b, row.c))
-    solving.equation(*_as_read(progress, found, (a, b, c)))
+    solving.equation(_as_read(progress, found, (a, b, c)))
     solve(solving, found.unknown, (a, b, c), row, _length(solving, found.row, stage))
 
 

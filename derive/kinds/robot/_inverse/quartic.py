@@ -69,9 +69,9 @@ def _distance_and_height(solving: Solving, found: Quartic) -> None:
     for each in found.coordinates:
         turned = begins_negative(tree(each.known))
         known, unknown = (-each.known, -each.unknown) if turned else (each.known, each.unknown)
-        solving.equation(tree(known), readable(unknown))
+        solving.equation((tree(known), readable(unknown)))
     if all(each.equation is not found.height for each in found.coordinates):
-        solving.equation(tree(found.height.left), readable(found.height.right))
+        solving.equation((tree(found.height.left), readable(found.height.right)))
     known, unknown = (
         reduce(add_values, (side * side for side in sides))
         for sides in zip(*((each.known, each.unknown) for each in found.coordinates), strict=True)

@@ -86,12 +86,14 @@ class Solving:
         self.progress.steps += 1
         self.steps.append(Step(f"{rule}_{self.progress.steps}", chain, rule))
 
-    def equation(self, left: Expr, right: Expr) -> None:
-        """An equation, shown unless it was before."""
-        self.equations.append((left, right))
+    def equation(self, *sides: tuple[Expr, Expr]) -> None:
+        """Equations that are read together, shown unless all of them were before."""
+        self.equations += sides
         told = (step.chain for each in self.progress.solved for step in each.steps)
-        if (left, right) not in ((chain[0], chain[-1]) for chain in told):
-            self.add("equation", left, right)
+        before = [(chain[0], chain[-1]) for chain in told]
+        if any(each not in before for each in sides):
+            for left, right in sides:
+                self.add("equation", left, right)
 
     def solved(
         self, head: Expr, choices: Sequence[Choice], method: Method, shown: Sequence[Choice] = (),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -47,7 +47,7 @@ def _plainest(progress: Progress, found: TwoEquations) -> TwoEquations:
     return replace(found, first=first, second=second)
 
 
-def _collected(solving: Solving, rows: Sequence[TrigEquation], angle: Expr) -> Iterator[Sides]:
+def _collected(solving: Solving, rows: Sequence[TrigEquation], angle: Expr) -> list[Sides]:
     """(a, b, c) of each as trees, with a step c = a cos q + b sin q, or as it stands in the product of poses
     where nothing has to be collected."""
     sides: list[Sides] = []
@@ -55,10 +55,11 @@ def _collected(solving: Solving, rows: Sequence[TrigEquation], angle: Expr) -> I
         c, a, b = (solving.short(value) for value in (row.c, row.a, row.b))
         sides.append((a, b, c))
     plain = all(_is_plain(solving.progress, row, c) for row, (_, _, c) in zip(rows, sides, strict=True))
-    for row, (a, b, c) in zip(rows, sides, strict=True):
-        read = solving.problem.readable(row.equation.right)
-        solving.equation(c, read if plain else times(a, cos(angle)) + times(b, sin(angle)))
-        yield a, b, c
+    read = [solving.problem.readable(row.equation.right) for row in rows]
+    collected = [times(a, cos(angle)) + times(b, sin(angle)) for a, b, _ in sides]
+    known = [c for _, _, c in sides]
+    solving.equation(*zip(known, read if plain else collected, strict=True))
+    return sides
 
 
 def _is_plain(progress: Progress, row: TrigEquation, known: Expr) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from derive.derivation import Derivation, Phrase, Result
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Matrix, Symbol
+from derive.expression import ZERO, Expr, Matrix, Symbol, factors_of
 from derive.kinds.checks import route
 from derive.kinds.fields import Place
 from derive.kinds.robot._point import PointOn
@@ -66,7 +66,10 @@ def _by_last_link(work: Work, arm: TurningAbout, told: Facts) -> Derivation:
         work = work.line(found.inner, found.low, label="rho_1").line(found.outer, found.high, label="rho_2")
     A = Symbol(free(problem.taken, "A", "A_w"))
     if found.pieces and any(low != high for low, high in found.pieces):
-        work = work.line(A, found.area(), label="area")
+        area = found.area()
+        long = work.line(A, area, label="area")
+        same = {*factors_of(area)} == {*factors_of(long[A])}  # in another order
+        work = work.line(A, area, value=area, label="area") if same else long
         results["area"] = work[A]
     work = work.claim(route("orientations", arm.rings(found)))
     where = Dexterous(

@@ -6,11 +6,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Claim, Derivation, Phrase, Plot, Result, Said, Step
-from derive.expression import Symbol
+from derive.expression import ONE, ZERO, Degrees, Symbol
 from derive.expression import number as number_tree
 from derive.figures.limited_workspaces import from_along
 from derive.figures.polar_workspaces import filled, swept
@@ -34,7 +36,7 @@ from derive.mechanics.reach import turns_freely
 from derive.mechanics.section import Section, section
 
 MOST = 3  # joints after the first
-POINTS, NEAR, WHOLE = 3, 1e-6, math.tau - 1e-9
+NEAR, EVIDENT, WHOLE = 1e-6, 1e-3, math.tau - 1e-9
 R, R_MAX, R_MIN = Symbol("r"), Symbol("r_max"), Symbol("r_min")
 NAMES = {"r_max": R_MAX, "r_min": R_MIN}
 CALLED = {  # whether it is a part only, and whether there is a hole
@@ -128,7 +130,36 @@ class WithinRanges:
         loose = [i for i in spare if not self.problem.subject.links[i - 1].range]
         if turns_freely(self.chain, self.rows, loose, True):
             return Phrase("both-the-same-by-one" if len(spare) == 1 else "both-the-same", {"spare": spare})
-        return Phrase("orientations-open")
+        turn = self._turn()
+        if turn is None or turn > WHOLE - EVIDENT:
+            return Phrase("orientations-open")
+        return Phrase("too-little-turn", {"turn": Degrees(Fraction(f"{math.degrees(turn):.6g}"))})
+
+    def _turn(self) -> float | None:
+        """Through which angle the joints turn the end-effector in all; None where one has no range, or turns
+        about another axis than the first."""
+        first, ranges, widths = self.chain.axis(self.rows[0]), self.problem.subject.ranges, [0.0]
+        for i, joint in self.chain.moving:
+            if joint.type != "revolute":
+                continue
+            if any(first.cross(self.chain.axis(i)).entries) or joint.variable not in ranges:
+                return None
+            low, high = (number(end, self._seen.arm.at) for end in ranges[joint.variable])
+            widths.append(high - low)
+        return sum(widths)
+
+    def _turned(self, told: Said) -> Iterator[bool]:
+        """Whether the end-effector turns so far in all, joint by joint from end to end, by the poses."""
+        import numpy as np
+
+        oracle, ranges, at = oracle_of(self.problem), self.problem.subject.ranges, self._seen.arm.at
+        whole = 0.0
+        for name in self.chain.variables:
+            low, high = (number(end, at) for end in ranges.get(name, (ZERO, ONE)))
+            ends = [oracle.tool({**at, name: low + k * (high - low) / 2})[:3, :3] for k in range(3)]
+            cosines = [(np.trace(one.T @ other) - 1) / 2 for one, other in pairwise(ends)]
+            whole += sum(math.acos(min(1.0, max(-1.0, float(each)))) for each in cosines)
+        yield isinstance(told, Degrees) and abs(math.radians(told.value) - whole) < EVIDENT and whole < WHOLE
 
     def _plots(self, told: dict[str, float]) -> Iterator[Plot]:
         """Where the first axis is that of z and meets the origin, and the region a part of a ring."""
@@ -156,6 +187,8 @@ class WithinRanges:
             "section-joints", moved_by(self.problem, self.chain, self.point, about["first"], about["others"])
         )
         yield route("section-ends", self._seen.distances(told))
+        if facts.orientations.key == "too-little-turn":
+            yield route("orientations", self._turned(facts.orientations.about["turn"]))
         key = facts.description.key
         yield route("section-called", self._is_called(key, told))
 
