@@ -18,7 +18,7 @@ from derive.algebra.numbers.floats import Point
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.algebra.solving.factors import primitive
-from derive.derivation import Derivation, PageFacts, Result
+from derive.derivation import Derivation, PageFacts, Phrase, Result
 from derive.errors import NotDerivable, how_many
 from derive.expression import (
     ZERO,
@@ -39,6 +39,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._velocity.functions import functions_given
 from derive.kinds.spaces._falls import falls, seen
 from derive.kinds.spaces._linear_map import LinearMap, MapOptions, linear_map
+from derive.kinds.spaces._nouns import nouns, nouns_hold
 from derive.kinds.spaces._span import Span, solution, span
 from derive.kinds.values_at import Here, values_at
 from derive.kinds.work import Work
@@ -49,7 +50,7 @@ from derive.names import free
 
 SUBJECTS = ("robot", "matrix")
 USES = frozenset({"variables"})
-CLAIMS = ("factors", "rank-in-numbers", "spaces-in-numbers")
+CLAIMS = ("factors", "rank-in-numbers", "spaces-in-numbers", "nouns")
 CLAIMED = {"rank": "rank-in-numbers"} | dict.fromkeys(
     ("null_space", "range", "left_null_space"), "spaces-in-numbers"
 )
@@ -72,6 +73,8 @@ class Facts(PageFacts):
     sort: str  # "rows", "task", "matrix"
     place: tuple[tuple[Expr, Expr], ...]
     rows: tuple[Symbol, ...]
+    velocities: Phrase  # what the rows are
+    wrenches: Phrase  # what acts along them
     rank: int
     nullity: int  # of J
     spare: int  # of its transpose
@@ -106,10 +109,14 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
     lower = falls(found, spaces.rank, _nonzero(found)) if leads else None
     if lower:
         work = work.claim(route("rank-falls", seen(found, lower, spaces.rank, _places(found))))
+    velocities, wrenches = nouns(found)
+    work = work.claim(route("nouns", nouns_hold(found, velocities, wrenches)))
     facts = Facts(
         sort=found.sort,
         place=tuple((Symbol(name), value) for name, value in found.place),
         rows=found.velocities if found.sort == "rows" else (),
+        velocities=velocities,
+        wrenches=wrenches,
         rank=spaces.rank,
         nullity=len(spaces.null),
         spare=len(spaces.left),
