@@ -14,7 +14,7 @@ from derive.render.chain_links import chain_links, signed_links
 from derive.render.entries import NAMED_BEYOND, with_named_entries
 from derive.render.facts import parts
 from derive.render.latex import Printer
-from derive.render.layout import FRAMED, LINE, Display, lay_out
+from derive.render.layout import FRAMED, LINE, NUMBERED, Display, lay_out
 from derive.render.printed import Naming, Printed, links_of
 from derive.render.so_far import Equation
 from derive.render.told_so_far import Shown, ToldSoFar, Trig
@@ -90,7 +90,7 @@ class Displays(ToldSoFar):
     ) -> str:  # fmt: skip
         links = tuple(chain_links(chain, printer) for chain in chains)
         boxed = answer and self.asked
-        display = lay_out(links, printer.notation, FRAMED if boxed else LINE)
+        display = lay_out(links, printer.notation, FRAMED if boxed else NUMBERED if answer else LINE)
         self.printed.append(Printed.display(display, printer.notation, namings))
         written = self.skin.display(replace(display, boxed=boxed))
         self.displays += 1

@@ -16,7 +16,8 @@ from derive.render.width import RELATION, width
 
 HOUSE = Notation()
 LINE = 40.8  # em: the text width of the pages, 160 mm at 11 pt
-FRAMED = LINE - 2.4 - 3.2  # in a frame that has a number beside it
+NUMBERED = LINE - 3.2  # with a number beside it
+FRAMED = NUMBERED - 2.4  # in a frame that has a number beside it
 GAP = 2.0  # em between equations side by side
 INDENT, HANGING = r"&\quad ", 1.0  # of a sum that goes on in the next line, and its width in em
 SIGN_SPACE = 0.44  # em around a sign between terms, more than around one in front
