@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from derive.derivation import Cell
+from derive.errors import NotAsWritten
 from derive.expression import Approximate, Degrees, Symbol
 from derive.render.chain_links import chain_links
 from derive.render.layout import Link
@@ -75,7 +76,10 @@ class PointTable:
         low, high = self.limits[name]
         if low - EDGE <= value <= high + EDGE:
             return value
-        return value + math.tau * math.ceil((low - EDGE - value) / math.tau)
+        turned = value + math.tau * math.ceil((low - EDGE - value) / math.tau)
+        if not low - EDGE <= turned <= high + EDGE:
+            raise NotAsWritten(f"{name} is said to be feasible and is not in its range")
+        return turned
 
     def _cell(self, name: str, value: float) -> str:
         """One value; an angle in degrees with as many decimals as the others."""

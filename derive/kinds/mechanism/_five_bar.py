@@ -83,6 +83,7 @@ def _closes(
     """In numbers, both couplers reach the point from the ends of the cranks, on the side that is said; each
     line holds. Raises NotDerivable where they do not meet anywhere."""
     problem, found = work.problem, 0
+    yield motors[0] != motors[1]
     trees = [problem.final(tree) for tree in (*robot.cranks, *robot.couplers, robot.ground)]
     letters = frozenset().union(*map(free_symbols, trees)) | {name.name for name in motors}
     typed = {name.name: problem.final(value) for name, value in work.typed if isinstance(name, Symbol)}

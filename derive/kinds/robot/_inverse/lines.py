@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from derive.algebra.angles import Form
 from derive.algebra.numbers.arrays import arrays
 from derive.derivation import Claim, Step
-from derive.expression import Expr, Relation, Symbol
+from derive.expression import Expr, Matrix, Relation, Symbol
 from derive.kinds.checks import close, route
 from derive.kinds.robot._inverse import breaks
 from derive.kinds.robot._inverse.checks import Tried
@@ -101,6 +101,7 @@ class Lines:
         given = {name: value for name, value in meaning.items() if name not in self.target.joints}
         yield from (equal(step.chain, given, False) for step in self.worked.pose)
         yield from (equal(step.chain, meaning, False) for step in (*self.worked.centre, *self.worked.turn))
+        yield from (_by_place(step.chain[-1]) for step in self.worked.turn)
         yield from (equal(step.chain, known, False) for step in self.worked.elements)
         yield from (equal(pair, known, False) for pair in self.worked.conditions)
         if turned := self.worked.by_angle:
@@ -212,3 +213,11 @@ def equal(chain: Sequence[Expr], known: Mapping[str, Any], turns: bool) -> bool:
     else:
         same = (close(each, first, SAME) for each in others)
     return bool(others) and all(same)
+
+
+def _by_place(matrix: Expr) -> bool:
+    """Whether the names in a matrix of names end in their row and column."""
+    rows = matrix.rows if isinstance(matrix, Matrix) else ()
+    entries = [(f"{i}{j}", entry) for i, row in enumerate(rows, 1) for j, entry in enumerate(row, 1)]
+    named = all(isinstance(entry, Symbol) for _, entry in entries)
+    return not named or all(isinstance(each, Symbol) and each.name.endswith(at) for at, each in entries)
