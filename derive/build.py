@@ -15,7 +15,7 @@ from derive.expression import ZERO
 from derive.figures.held import Misdrawn
 from derive.figures.wish import Wish
 from derive.giving import with_given
-from derive.kinds.bare_units import bare_forces, bare_units
+from derive.kinds.bare_units import bare_in_lines, bare_units
 from derive.kinds.figures import explains, figure_of
 from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
@@ -222,7 +222,7 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
         problem.number, tuple(questions), problem.title, problem.text, figure, drawing,
         notation=notation, subject=problem.subject_name, place=problem.place,
         variables=problem.subject.variables if is_arm else (),
-        bare=bare_units(working) | (bare_forces(answers) if is_arm else frozenset()),
+        bare=bare_units(working) | (bare_in_lines(answers) if is_arm else frozenset()),
     )  # fmt: skip
     return with_given(whole, problem, working)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import fields, is_dataclass
 from typing import Any, get_args
 
@@ -36,10 +36,17 @@ def meters_and_seconds(data: Any) -> frozenset[str]:
     return frozenset(unit[0] for unit in units if unit and unit[0] in "ms")
 
 
-def bare_forces(answers: Iterable[Derivation]) -> frozenset[str]:
-    """Newtons, where a force was typed in them that stands in a line."""
-    chains = (step.chain for answer in answers for step in answer.steps)
-    return frozenset({"N"} & {*_units(tuple(chains))})
+def bare_in_lines(answers: Sequence[Derivation]) -> frozenset[str]:
+    """Newtons, where a force was typed in them that stands in a line; seconds, where a motion over
+    time is told with sizes that were typed in them, alone or in a velocity."""
+    found = frozenset({"N"} & {*_units(_lines(answers))})
+    moving = tuple(each.facts for each in answers if "s" in each.units.values())
+    units = "/".join(_units(moving)).split("/")
+    return found | {"s"} if any(unit[:1] == "s" for unit in units) else found
+
+
+def _lines(answers: Iterable[Derivation]) -> tuple[tuple[Expr, ...], ...]:
+    return tuple(step.chain for answer in answers for step in answer.steps)
 
 
 def _units(value: Any) -> Iterator[str]:
