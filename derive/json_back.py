@@ -12,7 +12,7 @@ from typing import Any, TypeAlias, get_args
 from derive.algebra.fingerprint import fingerprint
 from derive.derivation import Branch, Derivation, LinearSystem
 from derive.errors import FormulaError, SheetError, SheetErrors
-from derive.expression import ZERO, Approximate, Call, Expr, Matrix, Number, rebuild
+from derive.expression import ZERO, Approximate, Call, Expr, Matrix, Number, rebuild, walk
 from derive.kinds.linear_systems import unknowns_of
 from derive.kinds.sure import read
 from derive.render.document import Document
@@ -95,9 +95,17 @@ def _same(tree: Expr, written: str) -> Verdict:
 
 def _as_digits(expr: Expr) -> Expr:
     """With rounded numbers as the digits of which they are written, and Max(0, x) as it is read."""
+    return _written(expr) if any(map(_is_written_otherwise, walk(expr))) else expr
+
+
+def _is_written_otherwise(node: Expr) -> bool:
+    return isinstance(node, Approximate) or (isinstance(node, Call) and node.function == "max")
+
+
+def _written(expr: Expr) -> Expr:
     if isinstance(expr, Approximate) and isfinite(expr.value):
         return Number(Fraction(repr(float(expr.value))))
     if isinstance(expr, Call) and expr.function == "max" and expr.arguments[0] == ZERO:
-        inner = _as_digits(expr.arguments[1])
+        inner = _written(expr.arguments[1])
         return (inner + Call("abs", (inner,))) / 2
-    return rebuild(expr, _as_digits)
+    return rebuild(expr, _written)

@@ -27,6 +27,11 @@ class Cursor:
         """The token that comes next; it stays there."""
         return self.tokens[self.at]
 
+    @property
+    def after(self) -> Token:
+        """The token behind the next one, or the end."""
+        return self.tokens[min(self.at + 1, len(self.tokens) - 1)]
+
     def take(self) -> Token:
         """The next token, with the cursor past it."""
         self.at += 1

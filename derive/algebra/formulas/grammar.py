@@ -12,6 +12,8 @@ metres where a length is wanted and two masses elsewhere; where either could be 
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from derive.algebra.formulas.cursor import Cursor
 from derive.algebra.formulas.functions import ARGUMENTS, TRIGONOMETRIC, meant, unknown_function
 from derive.algebra.formulas.likely_mistakes import meant_unit
@@ -34,6 +36,7 @@ from derive.expression import PI, Expr, Number, Sum, Symbol, free_symbols, negat
 
 NAME_A_PART = "name a part of it under 'where'"
 SUM, PRODUCT, POWER = 10, 20, 30  # binding powers
+REMEMBERED = 1000  # numbers and names, which a formula has again and again
 BINDING = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT, "^": POWER}
 
 
@@ -90,6 +93,19 @@ def _is_term(variable: Symbol, expr: Expr) -> bool:
     return len(holders) == 1 and holders[0] in (variable, negate(variable))
 
 
+@lru_cache(REMEMBERED)
+def _number(text: str) -> Quantity:
+    """A number as typed."""
+    value, decimal = value_of(text)
+    return Quantity(Number(value, decimal, places=places_of(text)))
+
+
+@lru_cache(REMEMBERED)
+def _symbol(name: str) -> Quantity:
+    """A letter, or pi."""
+    return Quantity(PI) if name == "pi" else Quantity(Symbol(name), None, numeric=False)
+
+
 class _Parser:
     """One pass over the tokens of one formula."""
 
@@ -141,19 +157,18 @@ class _Parser:
 
     def _first(self, binding: int) -> Quantity:
         token = self.cursor.take()
-        match token.kind, token.text:
-            case "number", _:
-                value, decimal = value_of(token)
-                return Quantity(Number(value, decimal, places=places_of(token)))
-            case "name", _:
-                return self._name(token)
-            case "sign", "(":
+        if token.kind == "name":
+            return self._name(token)
+        if token.kind == "number":
+            return _number(token.text)
+        match token.text:
+            case "(":
                 inner = self.expression(0)
                 self._close(token)
                 return inner
-            case "sign", "-":
+            case "-":
                 return negated(self.expression(max(SUM, binding)))
-            case "sign", "+":
+            case "+":
                 return self.expression(max(SUM, binding))
         self.cursor.at -= 1
         if token.kind == "end" and self.cursor.at == 0:
@@ -235,7 +250,7 @@ class _Parser:
             argument = inside[0] if inside[-1] == ")" else ""
             raise unknown_function(token.text, argument, token.offset)
         self._star(token)
-        return Quantity(PI) if token.text == "pi" else Quantity(Symbol(token.text), None, numeric=False)
+        return _symbol(token.text)
 
     def _call(self, token: Token) -> Quantity:
         parenthesis = self.cursor.take()
@@ -254,9 +269,12 @@ class _Parser:
 
     def _star(self, name: Token) -> None:
         """Take the star that marks a joint variable, as against the sign of a product."""
-        star, after = self.cursor.next, self.cursor.ahead(2)[-1]
+        star = self.cursor.next
+        if star.text != "*":
+            return
+        after = self.cursor.after.text
         touching = star.offset == name.end and after in ("+", "-")
-        if star.text != "*" or not ((touching and self.stars) or after in ("", ")", ",")):
+        if not ((touching and self.stars) or after in ("", ")", ",")):
             return
         if not self.stars:
             hint = "only theta or d of a link, or a motion in it, has a star"

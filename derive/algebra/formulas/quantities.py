@@ -34,6 +34,7 @@ from derive.expression import (
 MAX_POWER = 64
 MAX_TERMS = 20_000  # of the formula multiplied out
 MAX_DEPTH = 60  # of the tree
+FLAT = (Sum, Product)
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,7 +180,7 @@ def _joined(
     expr: Expr, dimension: Dimension | None, left: Quantity, right: Quantity, terms: int, at: int
 ) -> Quantity:
     depth = max(left.depth, right.depth) + 1
-    if isinstance(expr, Sum | Product):  # a flat chain of signs is no deeper than its parts
+    if isinstance(expr, FLAT):  # a flat chain of signs is no deeper than its parts
         depth = max(left.depth, right.depth + 1)
     if depth > MAX_DEPTH:
         raise Unfit("the formula is nested too deeply", at, "give a part of it a name under 'where'")

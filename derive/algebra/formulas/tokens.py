@@ -5,7 +5,7 @@ from __future__ import annotations
 import keyword
 import re
 from fractions import Fraction
-from typing import Literal, NamedTuple, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias, cast
 
 from derive.errors import FormulaError
 
@@ -33,6 +33,12 @@ SIGNS = {sign: sign for sign in "+-*/^(),="} | {
 # Words of programming languages: two of them side by side would read as a product of names.
 # `lambda` stays a name, as it is a Greek letter.
 CODE_WORDS = frozenset(keyword.kwlist) - {"lambda"} | {"eval", "exec", "open", "print", "getattr"}
+# What most formulas are made of, wherever nothing beside it could belong to it too.
+PLAIN = re.compile(
+    r" *(?:(?P<name>[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*)(?![A-Za-z0-9_."
+    + "".join((*GREEK, *SUBSCRIPTS))
+    + r"])|(?P<number>[0-9]{1,40})(?![0-9.eE])|(?P<sign>[-+/^(),=]|\*(?!\*)))"
+)
 NUMERAL = re.compile(r"(?P<whole>[0-9]*)(?P<places>\.[0-9]*)?(?:[eE](?P<power>[+-]?[0-9]+))?")
 NOT_A_FORMULA = "this is not a formula"
 ALLOWED = "numbers, names, + - * / ^, parentheses and functions such as cos and sqrt"
@@ -56,9 +62,13 @@ def tokens(text: str, longest: int = MAX_TEXT) -> tuple[Token, ...]:
     """The tokens of a formula with an end token last. Raises FormulaError."""
     if len(text) > longest:
         raise FormulaError(f"a formula of {len(text)} characters is too long (at most {longest})", 0)
-    found = []
+    found: list[Token] = []
     at = 0
     while at < len(text):
+        if (plain := PLAIN.match(text, at)) and (word := plain[plain.lastindex or 0]) not in CODE_WORDS:
+            at = plain.end()
+            found.append(Token(cast(Kind, plain.lastgroup), word, at - len(word), at))
+            continue
         if text[at].isspace():
             at += 1
             continue
@@ -67,14 +77,14 @@ def tokens(text: str, longest: int = MAX_TEXT) -> tuple[Token, ...]:
     return (*found, Token("end", "", len(text), len(text)))
 
 
-def value_of(token: Token) -> tuple[Fraction, bool]:
-    """The exact value of a number token, and whether it was typed as a decimal."""
-    return Fraction(token.text), not token.text.isdigit()
+def value_of(number: str) -> tuple[Fraction, bool]:
+    """The exact value of the text of a number, and whether it was typed as a decimal."""
+    return Fraction(number), not number.isdigit()
 
 
-def places_of(token: Token) -> int:
-    """The digits after the point of a number token: 4 in 0.0130, 5 in 1.30e-3."""
-    mantissa, _, power = token.text.lower().partition("e")
+def places_of(number: str) -> int:
+    """The digits after the point of a number: 4 in 0.0130, 5 in 1.30e-3."""
+    mantissa, _, power = number.lower().partition("e")
     return max(len(mantissa.partition(".")[2]) - int(power or 0), 0)
 
 
