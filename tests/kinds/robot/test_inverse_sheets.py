@@ -253,7 +253,7 @@ def test_one_condition_for_one_region(tmp_path: Path) -> None:
     (document,) = derive_all([load_sheet(tmp_path / "sheet.yaml")], True, lambda _: None)
     page = render(document, "md")
     assert page.count("real where") == 1
-    assert r"They are real where $x^2 + y^2 \geq d_2^2$" in page
+    assert r"Otherwise they are real where $x^2 + y^2 \geq d_2^2$" in page
 
 
 def test_what_cannot_vanish_is_no_condition(tmp_path: Path) -> None:
@@ -276,7 +276,7 @@ def test_another_branch_may_be_real(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     (document,) = derive_all([sheet], True, lambda _: None)
     page = render(document, "md")
     assert r"smaller there is no solution with this $\theta_1$." in page
-    assert r"otherwise the pose is out of reach." in page
+    assert r"where the left side is smaller the pose is out of reach." in page
     monkeypatch.setattr(Progress, "rests_on", lambda *_: ())
     with pytest.raises(SheetErrors):
         derive_all([load_sheet(ROOT / "exercises" / "inverse-kinematics.yaml")], True, lambda _: None)
