@@ -22,6 +22,7 @@ GAP = 2.0  # em between equations side by side
 INDENT, HANGING = r"&\quad ", 1.0  # of a sum that goes on in the next line, and its width in em
 SIGN_SPACE = 0.44  # em around a sign between terms, more than around one in front
 DEEPEST = 3  # brackets a break may stand inside
+SIGNED = ("-", "- ", "+ ")  # what stands before a fraction that begins a piece
 OPENING, CLOSING = ("{", r"\left", r"\begin"), ("}", r"\right", r"\end")
 MANY = 5  # breaks between the rows of a column from which others stand beside it
 WORTH_PACKING = 0.7  # rows per equation above which a plain list reads better
@@ -209,18 +210,58 @@ def _split_sum(link: Link, prefix: str, room: float) -> list[str]:
 def pieces(latex: str, room: float) -> list[str]:
     """The formula in pieces, each but the first beginning with its sign.
 
-    Breaks stand between terms; only a term wider than `room` is broken inside its parentheses too.
+    Breaks stand between terms; only a term wider than `room` is broken inside its parentheses too, and a
+    fraction of a sum into fractions.
     """
     found = [latex]
     for depth in range(DEEPEST + 1):
         if all(width(piece) <= room for piece in found):
             break
         found = [part for piece in found for part in _fitting(piece, depth, room)]
+        found = [part for piece in found for part in _fractions(piece, room)]
     return found
 
 
 def _fitting(piece: str, depth: int, room: float) -> list[str]:
     return [piece] if width(piece) <= room else _split(piece, depth)
+
+
+def _fractions(piece: str, room: float) -> list[str]:
+    """A fraction of a wide sum as fractions of the parts that fit, `\\frac{a + b}{d}`, `- \\frac{c}{d}`."""
+    sign, mark, rest = piece.partition(r"\frac{")
+    above, rest = _group(rest) if mark and sign in ("", *SIGNED) else ("", "")
+    below, after = _group(rest[1:])
+    if not below or after or width(piece) <= room:
+        return [piece]
+    parts: list[list[tuple[bool, str]]] = []  # whether each term is subtracted, and the term
+    used = room
+    for term in _split(above, 0):
+        minus, bare = term.startswith("-"), term.lstrip("+- ")
+        used += width(bare) + 2 * SIGN_SPACE
+        if used > room:
+            parts.append([])
+            used = width(bare) + 2 * SIGN_SPACE
+        parts[-1].append((minus, bare))
+    negative = sign.startswith("-")
+    first, *others = (_over(part, below, negative) for part in parts)
+    return [first if sign == "+ " else first.removeprefix("+ "), *others]
+
+
+def _over(terms: list[tuple[bool, str]], below: str, negative: bool) -> str:
+    """A sum over a denominator, with the sign of its first term in front."""
+    (turned, first), *rest = terms
+    above = " ".join((first, *(f"{'+-'[minus != turned]} {term}" for minus, term in rest)))
+    return rf"{'+-'[turned != negative]} \frac{{{above}}}{{{below}}}"
+
+
+def _group(latex: str) -> tuple[str, str]:
+    """What stands up to the brace that closes, and behind it."""
+    depth = 1
+    for k, letter in enumerate(latex):
+        depth += (letter == "{") - (letter == "}")
+        if depth == 0:
+            return latex[:k], latex[k + 1 :]
+    return "", ""
 
 
 def _split(latex: str, deepest: int) -> list[str]:

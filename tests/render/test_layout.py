@@ -38,6 +38,21 @@ def test_a_wide_factor_breaks_inside_its_parentheses() -> None:
     assert " ".join(broken) == rf"m ({WIDE} + {WIDE} + \left( x + y \right))"
 
 
+def test_a_wide_fraction_breaks_into_fractions() -> None:
+    long = " ".join(["x"] * 40)
+    whole = rf"\frac{{{long} + {long} - {long} + \left( x - y \right)}}{{d}}"
+    assert pieces(whole, LINE) == [
+        rf"\frac{{{long}}}{{d}}",
+        rf"+ \frac{{{long}}}{{d}}",
+        rf"- \frac{{{long} - \left( x - y \right)}}{{d}}",
+    ]
+    assert pieces(f"- {whole}", LINE)[1:] == [
+        rf"- \frac{{{long}}}{{d}}",
+        rf"+ \frac{{{long} - \left( x - y \right)}}{{d}}",
+    ]
+    assert pieces(rf"\frac{{{long} {long}}}{{d}}", LINE) == [rf"\frac{{{long} {long}}}{{d}}"]
+
+
 def test_short_equations_stand_side_by_side_and_long_ones_in_a_list() -> None:
     assert lay_out((chain("a", "1"), chain("b", "2"))).lines == (r"a = 1 \qquad b = 2",)
     long = " ".join(["x y z"] * 6)
