@@ -84,3 +84,21 @@ def test_checkers_of_pdf_ua_find_no_error(tmp_path: Path) -> None:
 def test_nothing_of_a_pdf_is_made_by_pandoc(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(subprocess, "run", lambda *_, **__: pytest.fail("another program was started"))
     build([SHORT], ["pdf"], tmp_path)
+
+
+ROOMY = """title: Room
+problems:
+- motion: [{rotate: z, by: alpha}, {rotate: y, by: beta}]
+  questions:
+"""
+
+
+def test_the_room_for_an_answer_stands_behind_its_question(tmp_path: Path) -> None:
+    sheet = tmp_path / "room.yaml"
+    asked = "  - {find: rotation-matrix, marks: 6, evaluate: {alpha: 30 deg, beta: 60 deg}}\n"
+    sheet.write_text(ROOMY + 4 * asked, encoding="utf-8")
+    (made,) = build([sheet], ["pdf"], tmp_path, problems=True, space=True)
+    done = subprocess.run(
+        ["pdftotext", "-layout", str(made), "-"], capture_output=True, text=True, check=True
+    )
+    assert all(re.search(r"Question \d", page) for page in done.stdout.split("\f")[:-1])

@@ -12,6 +12,7 @@ from pydantic import TypeAdapter, ValidationError
 from derive.errors import FormulaError, SheetError, position
 from derive.sheet.branches import branches, keys, lengths, purpose
 from derive.sheet.cut import before, cut_fault, cut_off
+from derive.sheet.other_words import our_word
 from derive.sheet.source import At, Route
 
 MOST = 100  # faults of one value that are told one by one
@@ -82,12 +83,16 @@ def untold(count: int, told: Sequence[SheetError]) -> list[SheetError]:
     return [SheetError(f"{count} more faults are here", last.place, "mend those above first")]
 
 
+SURELY = 0.93  # a likeness beside which no other word is thought of
 MEANT = re.compile(r"did you mean (?P<key>.*)\?")
 
 
 def did_you_mean(typed: str, known: Iterable[str], what: str = "") -> str:
-    """A hint: the closest of the known names (the first of those that are equally close), or all of them."""
+    """A hint: the closest of the known names (the first of those that are equally close) or what others call
+    by this word, else all of them."""
     names = sorted(known, reverse=True) if isinstance(known, Set) else list(dict.fromkeys(known))
+    if (ours := our_word(typed, names)) and not get_close_matches(typed, names, n=1, cutoff=SURELY):
+        return f"did you mean {ours}?"
     if close := get_close_matches(typed, names, n=3, cutoff=0.6):
         best = _likeness(close[0], typed)
         return f"did you mean {next(name for name in names if _likeness(name, typed) == best)}?"

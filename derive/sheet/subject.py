@@ -15,7 +15,9 @@ from derive.sheet.checked import checked
 from derive.sheet.exchange.files import ENDINGS, Wish, imported
 from derive.sheet.exchange.library import Library
 from derive.sheet.faults import MOST, did_you_mean
+from derive.sheet.given import QUESTION_KEYS
 from derive.sheet.named_files import missing, neighbours
+from derive.sheet.other_words import our_word
 from derive.sheet.reader import read
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known, load, subjects
@@ -34,6 +36,9 @@ def subject_name(at: At, data: dict[str, Any]) -> str:
     if len(found) == 1:
         return found[0]
     if found:
+        for key in found:  # points: 3 are marks
+            if not isinstance(data[key], list | dict) and (ours := our_word(key, QUESTION_KEYS)):
+                raise at.error(f"{key}: is a subject, and no number", (key,), f"did you mean {ours}?", True)
         hint = "make it two problems"
         raise at.error(f"a problem has one subject, not {' and '.join(found)}", (found[1],), hint, True)
     hint = "add one of " + ", ".join(subjects())

@@ -256,3 +256,10 @@ def test_a_foreign_unit_is_no_symbol(text: str) -> None:
         parse(text, dimension="any")
     assert re.match(r"the units are m, mm|did you mean (deg|N m)\?", caught.value.hint)
     assert parse(text, dimension="any", names=frozenset({text.split()[1]})) == parse(text.replace(" ", "*"))
+
+
+@pytest.mark.parametrize(("typed", "hint"), [("d3'", "d3_dot"), ("m*(d3'' - 1)", "d3_ddot"), ("x′", "x_dot")])
+def test_a_prime_is_told_how_a_derivative_is_written(typed: str, hint: str) -> None:
+    with pytest.raises(FormulaError) as caught:
+        parse(typed)
+    assert caught.value.hint.endswith(hint)

@@ -108,3 +108,10 @@ def test_did_you_mean() -> None:
         read_text("a1 + thta1", LETTERS)
     assert caught.value.offset == 5
     assert caught.value.hint == "did you mean theta1?"
+
+
+def test_no_load_is_meant_by_g() -> None:
+    names = (NAMES - {"g"}) | {"g_1", "g_2"}
+    with pytest.raises(FormulaError) as caught:
+        read_text("m*g", Letters(names, own=names))
+    assert caught.value.hint.startswith("gravity: of the robot")

@@ -41,6 +41,8 @@ PLAIN = re.compile(
 )
 NUMERAL = re.compile(r"(?P<whole>[0-9]*)(?P<places>\.[0-9]*)?(?:[eE](?P<power>[+-]?[0-9]+))?")
 NOT_A_FORMULA = "this is not a formula"
+PRIMES = "'′’"
+NAMED = re.compile(r"[^\W\d]\w*$")
 ALLOWED = "numbers, names, + - * / ^, parentheses and functions such as cos and sqrt"
 
 
@@ -103,7 +105,17 @@ def _read(text: str, at: int) -> list[Token]:
         return [Token("sign", "^", at, at + 2)]
     if char in SIGNS:
         return [Token("sign", SIGNS[char], at, at + 1)]
+    if char in PRIMES:
+        raise FormulaError(f"{NOT_A_FORMULA}: a prime cannot stand in one", at, _unprimed(text, at))
     raise FormulaError(f"{NOT_A_FORMULA}: '{char}' cannot stand in one", at, f"use {ALLOWED}")
+
+
+def _unprimed(text: str, at: int) -> str:
+    """A hint: how the derivative is written that somebody meant by a prime here."""
+    name = NAMED.search(text[:at])
+    count = len(text[at:]) - len(text[at:].lstrip(PRIMES))
+    ending = "_dot" if count == 1 else "_ddot"
+    return f"use {ALLOWED}" if name is None else f"a derivative in time is written {name[0]}{ending}"
 
 
 def _number(text: str, at: int) -> Token:

@@ -131,6 +131,9 @@ class Letters:
         """The error for a name that the problem does not have."""
         close = get_close_matches(name, sorted(self.known), n=1, cutoff=0.5)
         close = close or [each for each in sorted(self.known) if each.lower() == name.lower()]
+        if name == "g":  # near to every g_1, which is another thing
+            hint = "gravity: of the robot says what stands for gravity; left out, it is [0, 0, -g]"
+            return FormulaError("the problem has no symbol 'g'", offset, hint)
         hint = f"did you mean {close[0]}?" if close else "say what it stands for under where:"
         return FormulaError(f"the problem has no symbol '{name}'", offset, hint)
 
