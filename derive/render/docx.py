@@ -25,6 +25,9 @@ from derive.render.word_tree import in_word
 
 TABLE = re.compile(rb'(?<=<w:tblStyle w:val="Table" />)(<w:tblW [^>]*/>)')
 CENTRE = rb'\1<w:jc w:val="center"/>'
+WHOLE = re.compile(rb'<w:tbl><w:tblPr><w:tblStyle w:val="Table" />.*?</w:tbl>', re.DOTALL)
+ROW, MOST_ROWS = b"</w:tr>", 12  # of a table that stands on one page
+CELL, KEPT = b'<w:pStyle w:val="Compact" />', b'<w:pStyle w:val="Compact" /><w:keepNext/>'
 PARTS = {  # of the document whose styles and footer are taken, and where they are kept
     "[Content_Types].xml": "content-types.xml", "_rels/.rels": "package.rels",
     "word/document.xml": "document.xml", "word/_rels/document.xml.rels": "document.rels",
@@ -79,13 +82,24 @@ def _made_of(paper: str, templates: Dressing) -> bytes:
 
 
 def _centred(docx: bytes) -> bytes:
-    """The document with its tables in the middle, which LibreOffice does not take from their style."""
+    """The document with its tables in the middle, which LibreOffice does not take from their style, the short
+    ones on one page."""
     made = BytesIO()
     with ZipFile(BytesIO(docx)) as archive, ZipFile(made, "w", ZIP_DEFLATED) as centred:
         for name in archive.namelist():
             part = archive.read(name)
-            centred.writestr(ZipInfo(name), TABLE.sub(CENTRE, part) if name == "word/document.xml" else part)
+            if name == "word/document.xml":
+                part = TABLE.sub(CENTRE, WHOLE.sub(_on_one_page, part))
+            centred.writestr(ZipInfo(name), part)
     return made.getvalue()
+
+
+def _on_one_page(table: re.Match[bytes]) -> bytes:
+    """A short table with every row kept with the next."""
+    *rows, last, end = table[0].split(ROW)
+    if len(rows) >= MOST_ROWS:
+        return table[0]
+    return ROW.join((*(row.replace(CELL, KEPT) for row in rows), last, end))
 
 
 def with_density(png: bytes, density: float = DENSITY) -> bytes:

@@ -6,6 +6,7 @@ is still too wide is marked for the page to scale.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 from math import ceil
 from typing import TypeAlias
@@ -23,7 +24,7 @@ INDENT, HANGING = r"&\quad ", 1.0  # of a sum that goes on in the next line, and
 SIGN_SPACE = 0.44  # em around a sign between terms, more than around one in front
 DEEPEST = 3  # brackets a break may stand inside
 SIGNED = ("-", "- ", "+ ")  # what stands before a fraction that begins a piece
-OPENING, CLOSING = ("{", r"\left", r"\begin"), ("}", r"\right", r"\end")
+OPENING, FENCE = ("{", r"\left", r"\begin"), re.compile(r"\\(?:left|right).|\\begin|\\end|[{}()]")
 MANY = 5  # breaks between the rows of a column from which others stand beside it
 WORTH_PACKING = 0.7  # rows per equation above which a plain list reads better
 
@@ -272,6 +273,9 @@ def _split(latex: str, deepest: int) -> list[str]:
         if word in ("+", "-") and not closed and level <= deepest and found[-1]:
             found.append([])
         found[-1].append(word)
-        closed += sum(map(word.count, OPENING)) - sum(map(word.count, CLOSING))
-        level += 0 if closed else word.count("(") - word.count(")")
+        for fence in FENCE.findall(word):
+            if fence in ("(", ")"):
+                level += 0 if closed else 1 if fence == "(" else -1
+            else:
+                closed += 1 if fence.startswith(OPENING) else -1
     return [" ".join(words) for words in found]

@@ -53,6 +53,11 @@ def test_a_wide_fraction_breaks_into_fractions() -> None:
     assert pieces(rf"\frac{{{long} {long}}}{{d}}", LINE) == [rf"\frac{{{long} {long}}}{{d}}"]
 
 
+def test_no_break_stands_in_parentheses_behind_tall_ones() -> None:
+    tall = rf"\left( x - y \right) ({WIDE} + {WIDE})"
+    assert pieces(rf"\frac{{{tall}}}{{d}}", LINE) == [rf"\frac{{{tall}}}{{d}}"]
+
+
 def test_short_equations_stand_side_by_side_and_long_ones_in_a_list() -> None:
     assert lay_out((chain("a", "1"), chain("b", "2"))).lines == (r"a = 1 \qquad b = 2",)
     long = " ".join(["x y z"] * 6)
