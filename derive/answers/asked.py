@@ -11,7 +11,7 @@ from derive.answers.latex.letters import Letters
 from derive.answers.points import RATES, Names, Point, Sampling
 from derive.answers.reading import Locate, Route
 from derive.answers.terms import Terms
-from derive.derivation import Branch, Derivation, LinearSystem
+from derive.derivation import Branch, Derivation, LinearSystem, Step
 from derive.errors import Place
 from derive.expression import Approximate, Expr, Matrix, Symbol, column, free_symbols
 from derive.kinds.problem import TREES, Problem
@@ -47,10 +47,10 @@ class Asked:
             if (tree := _numeric(value)) is not None:
                 found[name] = tree
         for each in reversed(list(_rests_on(self.derivation))):
-            entries = {name for step in each.all_steps() for name in step.entries.values()}
-            known = {name for name, tree in each.definitions.items() if isinstance(tree, Matrix)}
-            symbols = (name for name in entries | known if isinstance(name, Symbol))
-            found.update({name.name: each.definitions[name] for name in symbols})
+            named = [(name, tree) for step in each.all_steps() for name, tree in _entries(step)]
+            found.update({name.name: each.definitions.get(name, tree) for name, tree in named})
+            known = [(name, tree) for name, tree in each.definitions.items() if isinstance(tree, Matrix)]
+            found.update({name.name: tree for name, tree in known if isinstance(name, Symbol)})
             steps = [step for step in each.all_steps() if step.chain]
             equal = ((name, step) for step in steps for name in step.chain if isinstance(name, Symbol))
             found.update({name.name: step.result for name, step in equal})
@@ -120,6 +120,13 @@ def _rests_on(derivation: Derivation) -> Iterator[Derivation]:
     yield derivation
     for used in derivation.uses:
         yield from _rests_on(used)
+
+
+def _entries(step: Step) -> Iterator[tuple[Symbol, Expr]]:
+    """The entries of a matrix that have names on the page."""
+    end = step.chain[-1] if step.chain else None
+    if isinstance(end, Matrix):
+        yield from ((name, end.rows[i][j]) for (i, j), name in step.entries.items())
 
 
 def _trees(result: Any) -> Iterator[Expr]:

@@ -157,3 +157,21 @@ def test_a_transposed_matrix(tmp_path: Path) -> None:
     ]
     found = checked("week6", [(1, 1, "T_1^0", turned)], tmp_path)
     assert {each.diagnosis for each in found if each.verdict == "differs"} == {"transposed"}
+
+
+BIAS = """\
+title: An acceleration
+problems:
+- robot:
+    links:
+    - {theta: theta1*, d: 0, a: a1, alpha: 0}
+  find: jacobian-derivative
+  rows: [vx, vy]
+  answer: {b_1: -a1*theta1_dot^2*cos(theta1), b_2: a1*theta1_dot^2*sin(theta1)}
+"""
+
+
+def test_entries_that_have_names_on_the_page(tmp_path: Path) -> None:
+    path = tmp_path / "bias.yaml"
+    path.write_text(BIAS, encoding="utf-8")
+    assert [each.verdict for each in check([path]).checks] == ["equal", "differs"]
