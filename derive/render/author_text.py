@@ -15,31 +15,44 @@ from derive.render.plain_text import html_text, latex_text, markdown_formula, ma
 
 IN_ROWS = re.compile(r" *(?<![\\$])\$([^$]+\\\\[^$]+)\$(?!\$)([.,;:]?) *")  # and the sign after it
 FORMULA = re.compile(r"(?<!\\)\$([^$\n]+(?:\n[^$\n]+)*)\$")
+BEFORE_UNIT = re.compile(
+    r"(?<=\d) (?=(?:rad|deg|mm|cm|kg|Nm|Hz|[mNsVWJ])(?![A-Za-z]))|(?<=\d N) (?=m(?![A-Za-z]))"
+)
 MARKUP = re.compile(r"[\\`*_\[\]<>#$&~|]|^\s*(?:[-+=>]|\d+[.)])|^(?: {4}|\t)| {2}$", re.MULTILINE)
 
 
 def markdown_prose(text: str) -> str:
     """An author's text as Markdown that means the same to every reader of Markdown."""
-    text = _with_rows_displayed(text)
+    text = _with_rows_displayed(_with_units_held(text))
     return _plain(text, markdown_text, markdown_formula) or _blocks(text, MarkdownWriter())
 
 
 def latex_prose(text: str) -> str:
     """An author's text as LaTeX."""
-    text = _with_rows_displayed(text)
+    text = _with_rows_displayed(_with_units_held(text))
     return _plain(text, latex_text, str.strip) or _blocks(text, LatexWriter())
 
 
 def typst_prose(text: str) -> str:
     """An author's text as Typst, its formulas still in TeX."""
-    text = _with_rows_displayed(text)
+    text = _with_rows_displayed(_with_units_held(text))
     return _plain(text, typst_text, TypstWriter().formula) or _blocks(text, TypstWriter())
 
 
 def html_prose(text: str) -> str:
     """An author's text as HTML, its formulas still in TeX."""
-    text = _with_rows_displayed(text)
+    text = _with_rows_displayed(_with_units_held(text))
     return _plain(text, html_text, HtmlWriter().formula) or _blocks(text, HtmlWriter())
+
+
+def _with_units_held(text: str) -> str:
+    """A text in which no line ends between a number and its unit."""
+    if "`" in text:
+        return text  # a program's text stays what it is
+    pieces = re.split(r"((?<!\\)\$[^$]*\$)", text)
+    return "".join(
+        piece if place % 2 else BEFORE_UNIT.sub("\xa0", piece) for place, piece in enumerate(pieces)
+    )
 
 
 def _with_rows_displayed(text: str) -> str:

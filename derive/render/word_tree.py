@@ -22,6 +22,7 @@ MOST = 1.35  # and those of other programs may be wider still
 FUNCTION, FUNCTIONS = 0.2, re.compile(r"\\(?:sin|cos|tan|ln|exp|operatorname)\b")
 NUMBER = 3.0  # em, for the number of an equation at the margin
 INSET = 140  # twentieths of a point, that a frame needs beside an equation
+BESIDE = r"\qquad"
 TAGGED = re.compile(r"(.*?)(?:\{\})?\s*\\tag\{(\d+)\}", re.DOTALL)
 CHARACTER, MARGIN = 0.56, 1.6  # em, of a text and beside a column
 
@@ -146,13 +147,27 @@ def _equation(tex: str, room: float = LINE) -> str:
         whole = sum(columns) / EM
         fitting = [round(column * min(1.0, room / whole)) for column in columns]
         return _small(_lines(box, fitting, framed is not None), whole, room)
-    wide = _wide(tex)
+    rows = _rows(tex, room)
+    wide = max(map(_wide, rows))
     frame = _frame("pBdr") + _indented(wide, room) if framed else ""
-    equation = (
-        f'<w:p><w:pPr><w:pStyle w:val="Equation"/>{frame}</w:pPr><m:oMathPara><m:oMath>'
-        f"{omml(box)}</m:oMath></m:oMathPara></w:p>"
+    equations = (
+        f'<w:p><w:pPr><w:pStyle w:val="Equation"/>{"" if row is rows[-1] else "<w:keepNext/>"}{frame}</w:pPr>'
+        f"<m:oMathPara><m:oMath>{omml(boxes(row))}</m:oMath></m:oMathPara></w:p>"
+        for row in rows
     )
-    return _small(equation, wide, room)
+    return _small("".join(equations), wide, room)
+
+
+def _rows(tex: str, room: float) -> list[str]:
+    """Equations that stand side by side, as many in a row as have room."""
+    rows: list[str] = []
+    for part in map(str.strip, tex.split(BESIDE)):
+        together = f"{rows[-1]} {BESIDE} {part}" if rows else ""
+        if together and _wide(together) <= room:
+            rows[-1] = together
+        else:
+            rows.append(part)
+    return rows
 
 
 def _frame(of: str) -> str:

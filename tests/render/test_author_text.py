@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from derive.render.author_text import latex_prose, markdown_prose
+from derive.render.author_text import html_prose, latex_prose, markdown_prose
 
 
 @pytest.mark.parametrize(
@@ -68,3 +68,9 @@ def test_plain_text_needs_no_reader_of_markdown() -> None:
         "markdown_prose('Find $x_1$ (in m), please.'); sys.exit('markdown_it' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_no_line_ends_between_a_number_and_its_unit() -> None:
+    assert html_prose("20 N m at 3 kg, 2 motors, $2 m$") == "20\xa0N\xa0m at 3\xa0kg, 2 motors, $2 m$"
+    assert latex_prose("20 N m") == "20~N~m"
+    assert html_prose("see `2 m` of 2 m").count("\xa0") == 0

@@ -19,6 +19,7 @@ from derive.render.formula.typst import in_text
 from derive.render.formula.typst import typst as spelt
 from derive.render.latex import latex
 from derive.render.notation import Notation
+from derive.render.word_tree import in_word as in_word_blocks
 from tests.render import mathml, typst
 from tests.render import omml as word
 from tests.render.make_font import FONT, letters
@@ -103,3 +104,14 @@ def test_a_mistake_of_either_is_seen() -> None:
         in_docx = (word.latex_of(word.element(each)) for each in in_word())
         for made in (in_typst(), in_mathml(), tuple(in_docx)):
             assert wrong([written.replace(right, mistaken) for written in made])
+
+
+def test_what_stands_side_by_side_in_word_stands_below_where_it_is_too_wide() -> None:
+    def paragraphs(tex: str) -> int:
+        math = {"t": "Math", "c": [{"t": "DisplayMath"}, tex]}
+        (block,) = in_word_blocks([{"t": "Para", "c": [math]}])
+        return str(block["c"][1]).count("<m:oMathPara>")
+
+    wide = " + ".join(["a b c"] * 8)
+    assert paragraphs(r"x = 1 \qquad y = 2") == 1
+    assert paragraphs(rf"x = {wide} \qquad y = {wide}") == 2
