@@ -8,7 +8,7 @@ that both belong to another frame.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, partial
@@ -89,6 +89,20 @@ def by_index(work: Work, results: Mapping[str, Result], meanings: Mapping[str, M
 
 
 @dataclass(frozen=True, slots=True)
+class Values:
+    """The values of trees at one point, each worked out once: c_121 and c_211 are the same tree."""
+
+    at: Point
+    known: dict[int, Any] = field(default_factory=dict)  # by where the trees are kept
+
+    def of(self, tree: Expr) -> Any:
+        """In numbers, as `numbers` has them."""
+        if id(tree) not in self.known:
+            self.known[id(tree)] = numbers(tree, self.at)
+        return self.known[id(tree)]
+
+
+@dataclass(frozen=True, slots=True)
 class Thing:
     """What bears a name with indices."""
 
@@ -96,9 +110,9 @@ class Thing:
     meaning: Meaning
     indices: tuple[str, ...]
 
-    def is_meant(self, arm: Heavy, names: Point) -> bool:
+    def is_meant(self, arm: Heavy, values: Values) -> bool:
         """Whether it is what its indices say."""
-        said = numbers(self.tree, names)
+        said = values.of(self.tree)
         try:
             return close(said, self.meaning(arm, *self.indices, said), NEAR)
         except LookupError:  # there is no frame, link or joint of this number
@@ -122,7 +136,7 @@ class _Told:
     def things(self, results: Mapping[str, Result]) -> Iterator[Thing]:
         """Those whose value is written in symbols of the sheet and names of numbers."""
         board = ((name.name, tree) for name, tree in self._own() if isinstance(name, Symbol))
-        for name, tree in dict.fromkeys((*board, *results.items())):
+        for name, tree in _different((*board, *results.items())):
             if isinstance(tree, TREES) and self._names_in(tree) <= self._valued:
                 yield from self._things(name, tree)
         for named, tree in self._own():
@@ -145,8 +159,8 @@ class _Told:
         for at in random_points(self._points, TRIES):
             with suppress(NotReal):
                 arm = self._arm(at)
-                names = completed(arm.at, needed)
-                yield from [thing.is_meant(arm, names) for thing in things]
+                values = Values(completed(arm.at, needed))
+                yield from [thing.is_meant(arm, values) for thing in things]
                 met += 1
             if met == POINTS:
                 return
@@ -201,6 +215,15 @@ class _Told:
             found.update(ready)
             pending = {name: needed for name, needed in pending.items() if name not in found}
         return frozenset(found)
+
+
+def _different(named: Iterable[tuple[str, Result]]) -> Iterator[tuple[str, Result]]:
+    """Each name with each of its values once: long trees of one name are compared, none is hashed."""
+    met: dict[str, list[Result]] = {}
+    for name, value in named:
+        if value not in (others := met.setdefault(name, [])):
+            others.append(value)
+            yield name, value
 
 
 def _shift(name: Indexed, arm: Heavy, said: Any) -> Any:

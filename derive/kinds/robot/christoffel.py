@@ -53,7 +53,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     results = {named(ijk).name: found[ordered(ijk)] for ijk in sorted(symbols)}
     untold = [results[named(ijk).name] for ijk in symbols if ordered(ijk) not in told]
     vanish = sum(value == ZERO for value in untold)
-    gone = sum(not normal(value, problem.names) for value in untold)
+    zero = {ijk: not normal(value, problem.names) for ijk, value in found.items() if ijk not in told}
+    gone = sum(zero[ordered(ijk)] for ijk in symbols if ordered(ijk) not in told)
     work = work.law("others-vanish", (gone == vanish, big or gone == len(untold)))
     work = by_index(work, results)
     facts = Facts(

@@ -13,6 +13,7 @@ from derive.algebra.normal import normal
 from derive.algebra.rationals import as_fraction
 from derive.algebra.readable.form import common_factor, readable
 from derive.algebra.readable.terms import Style
+from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, Step
 from derive.expression import ZERO, Expr, Number, Product, Symbol, add, multiply, number, terms_of
 from derive.kinds.problem import Problem
@@ -71,11 +72,28 @@ def written_out(terms: Iterable[Term], style: Style) -> Expr:
     return add(*_over_common(moving, style), *(part for term in still for part in terms_of(term.written)))
 
 
+def _parts(factor: Scalar) -> int:
+    """Of how many parts of one a monomial is a multiple."""
+    return as_fraction(next(iter(factor.numerator.coeffs()))).denominator
+
+
+def _that_share(terms: list[Term]) -> ScalarMatrix | None:
+    """The values of the terms; None as soon as two have no factor in common, for then all have none."""
+    values: list[Scalar] = []
+    before: Scalar | None = None
+    for term in terms:
+        values.append(value := normal(term.value))
+        if value and before is not None and common_factor(ScalarMatrix.of([[before], [value]])) is None:
+            return None
+        before = value if value else before
+    return ScalarMatrix.of([[value] for value in values])
+
+
 def _over_common(terms: list[Term], style: Style) -> list[Expr]:
     """m L^2/1200 ((2002 + 1200 c_2) theta1_ddot + ...), where there are so many parts of one."""
-    values = ScalarMatrix.of([[normal(term.value)] for term in terms])
-    factor = common_factor(values)
-    if factor is None or as_fraction(next(iter(factor.numerator.coeffs()))).denominator <= MOST_PARTS:
+    values = _that_share(terms)
+    factor = None if values is None else common_factor(values)
+    if values is None or factor is None or _parts(factor) <= MOST_PARTS:
         return [term.written for term in terms]
     rest = [readable(value / factor, style) for value in values.entries]
     inner = [_product(value, term.factors) for value, term in zip(rest, terms, strict=True)]
