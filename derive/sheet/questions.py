@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import islice
 from types import ModuleType
 from typing import Any
@@ -12,7 +13,7 @@ from derive.expression import Expr
 from derive.kinds import registry
 from derive.sheet.checked import checked
 from derive.sheet.described import built
-from derive.sheet.faults import MOST, did_you_mean
+from derive.sheet.faults import MEANT, MOST, did_you_mean
 from derive.sheet.given import ASKED_KEYS, QUESTION_KEYS, GivenAsked, GivenQuestion
 from derive.sheet.honoured import idle_options
 from derive.sheet.model import Question
@@ -83,6 +84,8 @@ def _read(
         if kind:
             options = checked(kind.Options, at, built(kind.Options, at, rest, known), known.names, keys)
         faults.extend(idle_options(options, at))
+    if kind is None:
+        faults.extend(_misspelt(at, data, subject, keys))
     for name, value in given.evaluate.items() if given and isinstance(given.evaluate, dict) else ():
         if name in known.where and not _same(value, known.where[name]):
             hint = "give it its value in one of the two places"
@@ -131,6 +134,17 @@ def _kind(at: At, data: dict[str, Any], subject: str) -> ModuleType | None:
         hint = close if close.startswith("did") else listed
         fault = at.fault(f"there is no kind '{typed}' for {subject}", ("find",), hint)
         raise SheetErrors([fault]) from None
+
+
+def _misspelt(at: At, data: dict[str, Any], subject: str, keys: frozenset[str]) -> Iterator[SheetError]:
+    """What every question may have, written otherwise, where the kind and its options are not known: the kind
+    that is probably meant has no option of this name."""
+    close = MEANT.fullmatch(did_you_mean(str(data.get("find")), registry.kinds_of(subject)))
+    options = registry.load(subject, close["key"]).Options.model_fields if close else {}
+    own = {field.alias or name for name, field in options.items()}
+    for key in islice((key for key in data if close and key not in own | keys), MOST):
+        if (hint := did_you_mean(key, keys)).startswith("did"):
+            yield at.fault(f"unknown key '{key}'", (key,), hint, key=True)
 
 
 def _without_find_misspelt(errors: SheetErrors, data: dict[str, Any], at: At) -> list[SheetError]:
