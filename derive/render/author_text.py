@@ -18,6 +18,7 @@ FORMULA = re.compile(r"(?<!\\)\$([^$\n]+(?:\n[^$\n]+)*)\$")
 BEFORE_UNIT = re.compile(
     r"(?<=\d) (?=(?:rad|deg|mm|cm|kg|Nm|Hz|[mNsVWJ])(?![A-Za-z]))|(?<=\d N) (?=m(?![A-Za-z]))"
 )
+WITH_UNIT = re.compile(r"[\d.,]*\d(?:\xa0[A-Za-z]+)+")
 MARKUP = re.compile(r"[\\`*_\[\]<>#$&~|]|^\s*(?:[-+=>]|\d+[.)])|^(?: {4}|\t)| {2}$", re.MULTILINE)
 
 
@@ -42,7 +43,13 @@ def typst_prose(text: str) -> str:
 def html_prose(text: str) -> str:
     """An author's text as HTML, its formulas still in TeX."""
     text = _with_rows_displayed(_with_units_held(text))
-    return _plain(text, html_text, HtmlWriter().formula) or _blocks(text, HtmlWriter())
+    written = _plain(text, html_text, HtmlWriter().formula) or _blocks(text, HtmlWriter())
+    return WITH_UNIT.sub(_held, written)
+
+
+def _held(found: re.Match[str]) -> str:
+    """A number with its unit, without the blank that is wide in some fonts."""
+    return f'<span class="held">{found[0]}</span>'.replace("\xa0", " ")
 
 
 def _with_units_held(text: str) -> str:

@@ -71,6 +71,7 @@ def test_plain_text_needs_no_reader_of_markdown() -> None:
 
 
 def test_no_line_ends_between_a_number_and_its_unit() -> None:
-    assert html_prose("20 N m at 3 kg, 2 motors, $2 m$") == "20\xa0N\xa0m at 3\xa0kg, 2 motors, $2 m$"
+    assert markdown_prose("20 N m at 3 kg, 2 motors, $2 m$") == "20\xa0N\xa0m at 3\xa0kg, 2 motors, $2 m$"
     assert latex_prose("20 N m") == "20~N~m"
-    assert html_prose("see `2 m` of 2 m").count("\xa0") == 0
+    assert html_prose("in 0.5 s") == 'in <span class="held">0.5 s</span>'
+    assert markdown_prose("see `2 m` of 2 m").count("\xa0") == 0
