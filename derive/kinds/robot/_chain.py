@@ -47,12 +47,14 @@ def axis_names(found: Chain, robot: Robot, i: int) -> tuple[Symbol, Symbol]:
     """(axis, point) of joint i: z_{i-1}, o_{i-1} after Denavit and Hartenberg, z_i, o_i in the modified
     convention; k_i, p_i where a free row or the base puts its axis elsewhere."""
     joint = found.joint(i)
-    along_z = joint.axis == ScalarMatrix.column((0, 0, 1))
+    upright = ScalarMatrix.column((0, 0, 1))
+    along_z = joint.axis == upright
     if robot.convention == "modified" and isinstance(robot.links[i - 1].row, DHRow) and along_z:
         return Symbol(f"z_{i}"), Symbol(f"o_{i}")
     if i == 1 and robot.base:
         return Symbol("k_1"), Symbol("p_1")
-    if joint.before == ScalarMatrix.identity(4) and along_z:
+    turned_about_z = rotation_part(joint.before).columns(2) == upright  # a slide with a fixed angle
+    if along_z and turned_about_z and not any(position_part(joint.before).entries):
         return Symbol(f"z_{i - 1}"), Symbol(f"o_{i - 1}")
     return Symbol(f"k_{i}"), Symbol(f"p_{i}")
 
