@@ -208,7 +208,7 @@ def _split_sum(link: Link, prefix: str, room: float) -> list[str]:
 # -- where a formula may break: before a plus or a minus, outside of braces and tall brackets --------------
 
 
-def pieces(latex: str, room: float) -> list[str]:
+def pieces(latex: str, room: float, fractions: bool = True) -> list[str]:
     """The formula in pieces, each but the first beginning with its sign.
 
     Breaks stand between terms; only a term wider than `room` is broken inside its parentheses too, and a
@@ -219,7 +219,8 @@ def pieces(latex: str, room: float) -> list[str]:
         if all(width(piece) <= room for piece in found):
             break
         found = [part for piece in found for part in _fitting(piece, depth, room)]
-        found = [part for piece in found for part in _fractions(piece, room)]
+        if fractions:
+            found = [part for piece in found for part in _fractions(piece, room)]
     return found
 
 

@@ -27,7 +27,7 @@ def fits(link: Expr, printer: Printer, lines: int = 2) -> bool:
         room = 4 * LINE - sum(width(printer.write(entry)) for row in link.rows for entry in row)
     else:
         room = lines * LINE - width(written)
-    return room >= 0 and all(width(p) <= LINE / NARROWEST for p in pieces(written, LINE))
+    return room >= 0 and all(width(p) <= LINE / NARROWEST for p in pieces(written, LINE, fractions=False))
 
 
 def kept(step: Step, printer: Printer, lines: int = 2) -> tuple[Expr, ...]:
