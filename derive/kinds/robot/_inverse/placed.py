@@ -77,7 +77,7 @@ class Placed:
 
     def _without_values(self, at: Numbers) -> int:
         """The branches that no entry has, and whose formulas have no real values."""
-        labelled = zip(self._entries, self.found.branches, strict=True)
+        labelled = zip(self._entries, self.found.branches, strict=False)
         had = {k for entry, branches in labelled if entry.get("real", True) for k in branches}
         missing = (branch for k, branch in enumerate(self.branches) if k not in had)
         return sum(self._printed(branch, at.point) is None for branch in missing)
