@@ -8,6 +8,7 @@ from typing import Any
 import mpmath
 import sympy
 
+from derive.audit.algebra import expanded
 from derive.audit.asked import Asked, Holds, Test
 from derive.audit.points import ROUNDED, Point, agree
 from derive.audit.subjects.robot.arm import entries
@@ -74,5 +75,5 @@ def _joints(asked: Asked, here: Point, moment: Any) -> dict[str, Any]:
 def _share(order: int) -> sympy.Expr:
     """The polynomial from 0 to 1 with as many derivatives zero at both ends: the integral of (x - x^2)^n."""
     x = sympy.Symbol("x")
-    whole = sympy.integrate(sympy.expand((x - x**2) ** (order - 1)), x)
+    whole = sympy.integrate(expanded((x - x**2) ** (order - 1)), x)
     return whole / whole.subs(x, 1)
