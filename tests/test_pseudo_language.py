@@ -33,6 +33,7 @@ WORD = re.compile(r"(?<![A-Za-z])[A-Za-z]{3,}")
 MATHEMATICS = {
     *["sin", "cos", "tan", "sqrt", "exp", "log", "det", "deg", "rad", "Abs", "qdot", "dot", "ddot"],
     *LETTER_NAMES.split(),
+    "ZYX",  # the axes of three angles where a sheet names no convention
 }
 
 

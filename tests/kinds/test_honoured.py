@@ -143,7 +143,7 @@ ARM = "robot: {links: [{theta: q1*, d: 0, a: 1, alpha: 0}, {theta: q2*, d: 0, a:
         (
             "profile: {from: 0 m, to: 1 m, time: 2 s, start_velocity: 1 m/s, via: [{time: 1 s, at: 1 m}]}\n"
             "  find: spline-trajectory\n  ends: natural",
-            "4:9: natural ends are given no velocity",
+            "5:3: natural ends are given no velocity: leave start_velocity: and end_velocity: out",
         ),
     ],
 )
