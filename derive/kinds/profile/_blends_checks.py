@@ -159,7 +159,10 @@ class Blends:
                 continue
             sign = 1.0 if by == "t_b" or way > 0 else -1.0
             least, most = sign * sizes.get("least", 0.0), sign * sizes.get("most", sign * inf)
-            yield least >= 0 and (least < abs(sizes["given"]) <= most) == (self.possible(at) is not None)
+            size = abs(sizes["given"])
+            above = size > least if not isclose(size, least) else by == "a"  # at which there are still blends
+            within = above and (size < most or isclose(size, most))
+            yield least >= 0 and within == (self.possible(at) is not None)
 
     def _met(self, told: Phrase, possible: Phrase) -> Iterator[bool]:
         """Whether a chain of numbers is the bounds with the given value between them, and in order."""
@@ -266,7 +269,10 @@ def _made(by: str, start: float, end: float, T: float, size: float) -> Motion | 
     if by == "t_b":
         return Motion(start, end, T, size, sign * way / (T - size)) if size <= T / 2 else None
     low, high = 0.0, T / 2
-    if not min(covered(low), covered(high)) < way <= max(covered(low), covered(high)) * (1 + 1e-12):
+    without, longest = covered(low), covered(high)  # blends of no duration are none
+    if isclose(way, without) or not (
+        isclose(way, longest) or min(without, longest) < way < max(without, longest)
+    ):
         return None
     for _ in range(100):
         middle = (low + high) / 2

@@ -4,6 +4,7 @@ are told."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from derive.derivation import Claim, Phrase
 from derive.kinds.checks import random_points, route
@@ -13,6 +14,7 @@ from derive.kinds.robot._singular.search import Values, placed, rank_at
 from derive.kinds.robot._singular.sets import Analysed
 
 POINTS, MOST = 2, 20
+OTHER = 2.7  # than a constant is at a point
 NOT_ZERO = ("positive", "nonzero")
 
 
@@ -39,7 +41,16 @@ def at_special_lengths(J: InNumbers, sets: Sequence[Analysed], told: Phrase | No
 
 
 def _names(J: InNumbers) -> list[str]:
-    return sorted(J.symbols - {*J.variables})
+    """Constants on which the matrix depends: of gravity it does not."""
+    at = next(J.points)
+    here = J.whole(at)
+    return [name for name in sorted(J.symbols - {*J.variables}) if _moves(J.whole({**at, name: OTHER}), here)]
+
+
+def _moves(there: Any, here: Any) -> bool:
+    import numpy as np
+
+    return not np.array_equal(there, here)
 
 
 def _ranks(J: InNumbers, sets: Sequence[Analysed]) -> Iterator[bool]:
