@@ -63,7 +63,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         numbers=listed(results, symbols),
         remark=left_out(results, symbols),
     )
-    return work.law("listed", left_out_rightly(facts, symbols)).answer(
+    return work.law("listed", left_out_rightly(facts, arm.exact_christoffel)).answer(
         "christoffel", results, facts, unread=BODIES_ALONE
     )
 

@@ -68,7 +68,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         numbers=listed(results, arm.christoffel),
         remark=left_out(results, arm.christoffel),
     )
-    work = work.law("listed", left_out_rightly(facts, arm.christoffel))
+    work = work.law("listed", left_out_rightly(facts, arm.exact_christoffel))
     rubs = [friction for link in robot.links if (friction := link.friction) is not None]
     sorts = (
         any(each.viscous != ZERO for each in rubs),

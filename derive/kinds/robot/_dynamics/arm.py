@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.compiled import compiled
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
@@ -61,6 +62,14 @@ class Arm:
     def christoffel(self) -> Christoffel:
         """Every c_ijk of that matrix."""
         return christoffel(self.D, self.variables)
+
+    @property
+    def exact_christoffel(self) -> Christoffel:
+        """The same with the names of moments and of `where` replaced: a cylinder's I_xx - I_yy is zero."""
+        known = {**self.problem.names, **self.moments}
+        if not known:
+            return self.christoffel
+        return christoffel(normal_matrix(self.problem.readable_matrix(self.D), known), self.variables)
 
     def refuse_vast(self, most: int) -> None:
         """Raises TooManyTerms where the Christoffel symbols have more terms together than these."""

@@ -75,7 +75,8 @@ def left_out(results: Mapping[str, Result], symbols: Christoffel) -> Phrase | No
 
 
 def left_out_rightly(facts: PageFacts, symbols: Christoffel) -> Iterator[bool]:
-    """Whether each equals one that is listed, or is zero; and whether there are such as it is said."""
+    """Whether each of the exact symbols equals one that is listed, or is zero; and whether there are such as
+    it is said."""
     names, key = facts.numbers or (), facts.remark.key if facts.remark else ""
     for (i, j, k), value in symbols.items():
         yield not value or any(
