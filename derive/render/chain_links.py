@@ -8,7 +8,7 @@ from derive.expression import (
 )
 from derive.render.latex import Printer, is_approximate
 from derive.render.layout import Chain, Link
-from derive.render.phrases import LATEX_SIGNS
+from derive.render.phrases import sign_of
 
 
 def chain_links(chain: tuple[Expr, ...], printer: Printer) -> Chain:
@@ -24,8 +24,8 @@ def chain_links(chain: tuple[Expr, ...], printer: Printer) -> Chain:
 
 def signed_links(relation: Relation, printer: Printer) -> Chain:
     """The sides of a relation, with the sign that stands before each."""
-    left, sign = relation.left, LATEX_SIGNS.get(relation.sign, relation.sign)
-    last = Link(sign, printer.write(relation.right), relation.right)
+    left = relation.left
+    last = Link(sign_of(relation), printer.write(relation.right), relation.right)
     if isinstance(left, Relation):
         return (*signed_links(left, printer), last)
     return Link("=", printer.write(left), left), last

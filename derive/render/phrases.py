@@ -36,7 +36,7 @@ from derive.derivation import (
     Words,
 )
 from derive.expression import PI, Degrees, Expr, Quotient, Relation, walk
-from derive.render.latex import Printer
+from derive.render.latex import Printer, is_approximate
 from derive.render.layout import Chain
 from derive.render.notation import Notation
 from derive.render.printed import Printed, links_of, says
@@ -182,8 +182,16 @@ class Speech:
     def _relation(self, relation: Relation, notation: str) -> str:
         left = relation.left
         first = self._relation(left, notation) if isinstance(left, Relation) else self.tree(left, notation)
-        sign = self.signs.get(relation.sign, relation.sign)
+        sign = sign_of(relation) if self.signs else relation.sign
         return f"{first} {sign} {self.tree(relation.right, notation)}"
+
+
+def sign_of(relation: Relation) -> str:
+    """In LaTeX, between the two last sides; what is rounded is not equal."""
+    left = relation.left.right if isinstance(relation.left, Relation) else relation.left
+    if relation.sign == "=" and (is_approximate(left) or is_approximate(relation.right)):
+        return r"\approx"
+    return LATEX_SIGNS.get(relation.sign, relation.sign)
 
 
 def spoken(folder: str, kind: str) -> Speech:

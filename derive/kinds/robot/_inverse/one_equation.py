@@ -9,6 +9,7 @@ from dataclasses import replace
 from derive.algebra.angles import Form
 from derive.algebra.infix import text
 from derive.algebra.normal import normal, trig_of
+from derive.algebra.rationals import significant_digits
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.fixed_directions import direction, sum_of_squares
 from derive.derivation import Condition, Phrase
@@ -41,6 +42,7 @@ from derive.mechanics.inverse.subproblems import Elbow, OneEquation, TrigEquatio
 SIGNS = (1, -1)
 LONG_CONDITION = 60  # letters
 LONG_FRACTION = 1000  # denominator
+MANY = 4  # digits, more than a page has
 Trees = tuple[Expr, Expr, Expr]  # of a, b, c
 
 
@@ -210,7 +212,9 @@ def squares_of(x: Expr, y: Expr) -> Expr:
 
 
 def shortened(tree: Expr) -> Expr:
-    """With its numbers of many digits as a page rounds them."""
+    """With its numbers of many digits as a page rounds them; 0.0823 stays as it is."""
+    if isinstance(tree, Number) and (significant_digits(tree.value) or MANY) < MANY:
+        return tree
     short = _short(tree)
     return rebuild(tree, shortened) if short is tree else short
 
