@@ -50,14 +50,18 @@ def singularities(asked: Asked, point: Point) -> Iterator[Test]:
         angle, *moved = (asked.read(told) for name, told in each.items() if name != "when")
         yield Holds("solutions", _lie_in_line(asked, there, angle, CLOSE), "no bars lie in line there")
         if moved and _is_built(asked, there, angle):
-            yield Holds("solutions", _joined(asked, there, angle, moved[0]), "the bars are not joined there")
+            joined = _joined(asked, there, angle, moved[0], CLOSE)
+            yield Holds("solutions", joined, "the bars are not joined there")
     for each in asked.objects("evaluated solutions") if asked.evaluated else ():
-        told, *_ = (told for name, told in each.items() if name not in ("when", "real"))
-        if isinstance(told, str):
+        told = [told for name, told in each.items() if name not in ("when", "real")]
+        if any(isinstance(value, str) for value in told):
             yield Beyond("evaluated solutions", "symbols are left")
-        else:
-            angle = sympy.Float(told, 17)
-            yield Holds("evaluated solutions", _lie_in_line(asked, asked.here, angle, ROUGH), "no bars do")
+            continue
+        angle, *moved = (sympy.Float(value, 17) for value in told)
+        yield Holds("evaluated solutions", _lie_in_line(asked, asked.here, angle, ROUGH), "no bars do")
+        if moved and _is_built(asked, asked.here, angle):
+            joined = _joined(asked, asked.here, angle, moved[0], ROUGH)
+            yield Holds("evaluated solutions", joined, "the bars are not joined there")
 
 
 def _is_built(asked: Asked, there: Point, angle: sympy.Expr) -> bool:
@@ -69,7 +73,7 @@ def _is_built(asked: Asked, there: Point, angle: sympy.Expr) -> bool:
     return all(bar > 0 for bar in bars) and not mpmath.im(there.at(angle))
 
 
-def _joined(asked: Asked, there: Point, angle: sympy.Expr, moved: sympy.Expr) -> bool:
+def _joined(asked: Asked, there: Point, angle: sympy.Expr, moved: sympy.Expr, near: mpmath.mpf) -> bool:
     """Whether the bar behind the crank is as long as it is with the rocker, or the slider, so."""
     linkage = asked.subject
     crank = asked.formula(linkage.crank)
@@ -79,7 +83,7 @@ def _joined(asked: Asked, there: Point, angle: sympy.Expr, moved: sympy.Expr) ->
     else:
         rod, x, y = asked.formula(linkage.rod), moved, asked.formula(linkage.offset)
     gap = (x - crank * sympy.cos(angle)) ** 2 + (y - crank * sympy.sin(angle)) ** 2 - rod**2
-    return bool(abs(there.at(gap)) < CLOSE * (1 + abs(there.at(rod)) ** 2))
+    return bool(abs(there.at(gap)) < near * (1 + abs(there.at(rod)) ** 2))
 
 
 def _lie_in_line(asked: Asked, there: Point, angle: sympy.Expr, near: mpmath.mpf) -> bool:
