@@ -464,7 +464,6 @@ def watch(
         say(f"watching {sheet}; Ctrl-C ends it")
 
     with suppress(KeyboardInterrupt):
-        again()
         for _ in saves(sheet, templates, target):
             again()
 

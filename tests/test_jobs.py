@@ -12,7 +12,7 @@ from time import sleep
 
 import pytest
 
-from tests.commands import SHEET, run
+from tests.commands import LONGEST, SHEET, run, started, until
 
 MODULE = '''
 """The trace of the rotation, and trouble."""
@@ -42,7 +42,7 @@ def derive(motion, options, problem):
     if options.how == "refuse":
         raise NotDerivable("there is none")
     if options.how == "slow":
-        time.sleep(20)
+        time.sleep(2 * 60)
     R = problem.ask("rotation-matrix")
     tree = problem.final(R.results["R"].rows[0][0])
     steps = (Step("trace", (Symbol("trace"), tree)),)
@@ -139,21 +139,20 @@ def test_a_process_that_dies_takes_only_its_sheet_along(trouble: Path) -> None:
 def test_processes_end_with_the_command(trouble: Path, sign: signal.Signals) -> None:
     """With Ctrl-C at once and without litter; behind a command that was killed when their sheet is built."""
     sheets(trouble, a=TROUBLE.replace("%s", "slow"), b=TROUBLE.replace("%s", "slow"))
-    slow = MODULE.replace("sleep(20)", "sleep(20)" if sign == signal.SIGINT else "sleep(3)")
+    slow = MODULE if sign == signal.SIGINT else MODULE.replace("sleep(2 * 60)", "sleep(3)")
     (trouble / "packages" / "theirs" / "trouble.py").write_text(slow)
     command = [sys.executable, "-m", "derive", "a.yaml", "b.yaml", "--format", "md", "--jobs", "2"]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "MARK": str(trouble)}
-    build = subprocess.Popen(command, env=environment, stderr=subprocess.PIPE)
-    while len(_marked(trouble)) < 3 or not list(trouble.glob("output/.derive-*")):
-        sleep(0.05)
-    sleep(1)
-    build.send_signal(sign)
-    said = build.communicate()[1]
-    for _ in range(200 if sign == signal.SIGKILL else 20):
-        if not _marked(trouble):
-            break
-        sleep(0.05)
-    assert not _marked(trouble)
+    build = started(command, env=environment, stderr=subprocess.PIPE)
+    try:
+        until(lambda: len(_marked(trouble)) >= 3 and [*trouble.glob("output/.derive-*")], build)
+        sleep(1)
+        build.send_signal(sign)
+        said = build.communicate(timeout=LONGEST)[1]
+        until(lambda: not _marked(trouble))
+    finally:
+        for left in _marked(trouble):
+            os.kill(int(left), signal.SIGKILL)
     if sign == signal.SIGINT:
         assert (build.returncode, said) == (1, b"\nAborted!\n")
         assert not (trouble / "output").exists()

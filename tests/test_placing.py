@@ -7,11 +7,11 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from time import sleep
 
 import pytest
 
 from derive.placing import aside, put
+from tests.commands import LONGEST, started, until
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="locks and signals of POSIX")
 SLOW = """\
@@ -41,15 +41,14 @@ def contents(folder: Path) -> list[str]:
 def test_a_killed_build_ends_what_it_has_begun(tmp_path: Path, sign: signal.Signals) -> None:
     for name in "abcd":
         (tmp_path / name).write_text("old")
-    build = subprocess.Popen(
+    build = started(
         [sys.executable, "-c", SLOW, tmp_path], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
     )
     assert build.stdout is not None
     build.stdout.readline()
-    while contents(tmp_path)[0] == "old":
-        sleep(0.01)
+    until(lambda: contents(tmp_path)[0] == "new")
     build.send_signal(sign)
-    build.wait()
+    build.wait(LONGEST)
     with aside(tmp_path):  # waits for the moves to end
         assert contents(tmp_path) == ["new"] * 4
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a", "b", "c", "d"]

@@ -11,6 +11,8 @@ from time import sleep
 
 import pytest
 
+from tests.commands import LONGEST, started
+
 posix = pytest.mark.skipif(sys.platform == "win32", reason="streams of POSIX")
 COMMAND = [sys.executable, "-m", "derive"]
 SHEET = """\
@@ -62,12 +64,12 @@ def test_closed_streams(sheet: Path, closed: str) -> None:
 @posix
 @pytest.mark.parametrize("after", [0.05, 0.1, 0.2, 0.3, 0.4])
 def test_an_early_interrupt_is_no_traceback(sheet: Path, after: float) -> None:
-    build = subprocess.Popen(
+    build = started(
         [*COMMAND, str(sheet), "--output", str(sheet.parent / "out")], stderr=subprocess.PIPE, text=True
     )
     sleep(after)
     build.send_signal(signal.SIGINT)
-    _, said = build.communicate()
+    _, said = build.communicate(timeout=LONGEST)
     assert "derive/" not in said  # what Python itself says while it starts is not ours
 
 

@@ -49,7 +49,9 @@ def follow(sheet: Path, wanted: Wanted, port: int, opened: Callable[[str], objec
     wishes: SimpleQueue[Wish] = SimpleQueue()
     shown = Shown(View(name=sheet.name))
     known = Remembered()
-    Thread(target=_watch, args=(sheet, wanted, wishes), daemon=True).start()
+    saved = saves(sheet, wanted.templates)
+    next(saved)  # what is saved while the first page is made is not missed
+    Thread(target=_watch, args=(saved, wishes), daemon=True).start()
 
     def ask(steps: Steps | None) -> None:
         wishes.put(lambda wanted: replace(wanted, steps=steps))
@@ -66,9 +68,9 @@ def follow(sheet: Path, wanted: Wanted, port: int, opened: Callable[[str], objec
                 wanted = wish(wanted)
 
 
-def _watch(sheet: Path, wanted: Wanted, wishes: SimpleQueue[Wish]) -> None:
+def _watch(saved: Iterator[None], wishes: SimpleQueue[Wish]) -> None:
     try:
-        for _ in saves(sheet, wanted.templates):
+        for _ in saved:
             wishes.put(lambda wanted: wanted)
     except BaseException as error:  # told where it can be raised
         wishes.put(error)

@@ -11,7 +11,7 @@ from pathlib import Path
 from time import monotonic, sleep
 from typing import Any
 
-LONGEST = 30.0  # seconds for something to come true
+from tests.commands import LONGEST
 
 
 class Tab:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import SHEET
+from tests.commands import LONGEST, SHEET, started
 from tests.live.browser import Tab, browser
 from tests.render.test_browser import AXE
 
@@ -45,7 +45,7 @@ def live(tmp_path: Path) -> Iterator[Live]:
     sheet = tmp_path / "arm.yaml"
     sheet.write_text(SHEET.replace("  find: dh-table\n", QUESTIONS), encoding="utf-8")
     command = [sys.executable, "-m", "derive", "watch", "arm.yaml", "--serve"]
-    with subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True) as process:
+    with started(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True) as process:
         try:
             assert process.stderr
             found = re.search(r"http://127\.0\.0\.1:\d+/\S+", process.stderr.readline())
@@ -102,9 +102,9 @@ def test_it_follows_the_sheet(live: Live) -> None:
     assert abs(tab.value(place)) < 1  # though a line was put in above
 
     live.process.send_signal(signal.SIGINT)
-    assert live.process.wait(10) == 0
-    assert live.process.stderr
-    assert "Traceback" not in live.process.stderr.read()
+    said = live.process.communicate(timeout=LONGEST)[1]
+    assert live.process.returncode == 0
+    assert "Traceback" not in said
     tab.until("document.title.startsWith('ended')")
     live.shows("Another arm")
 

@@ -5,14 +5,12 @@ from __future__ import annotations
 import signal
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
-from time import monotonic, sleep
 
 import pytest
 
 from derive.live.saves import is_source
-from tests.commands import SHEET
+from tests.commands import LONGEST, SHEET, started, until
 
 
 @pytest.mark.parametrize(
@@ -27,29 +25,21 @@ def test_a_page_is_made_of(path: str, made_of: bool) -> None:
     assert is_source(Path(path), Path("look"), Path("output")) is made_of
 
 
-def until(true: Callable[[], object]) -> None:
-    began = monotonic()
-    while not true():
-        assert monotonic() - began < 30
-        sleep(0.02)
-
-
 @pytest.mark.parametrize("output", ["output", "."])
 def test_it_is_built_at_each_save_until_ctrl_c(output: str, tmp_path: Path) -> None:
     sheet, page = tmp_path / "week1.yaml", tmp_path / output / "week1.md"
     sheet.write_text(SHEET, encoding="utf-8")
     options = ["--format", "md", "--output", output]
     command = [sys.executable, "-m", "derive", "watch", "week1.yaml", *options]
-    with subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True) as process:
+    with started(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True) as process:
         try:
-            assert process.stderr
-            until(lambda: page.exists())
-            until(lambda: "watching" in process.stderr.readline())
-            sleep(0.3)  # until the folder is watched
+            until(page.exists, process)
             sheet.write_text(SHEET.replace("A planar arm", "Another arm"), encoding="utf-8")
-            until(lambda: "Another arm" in page.read_text(encoding="utf-8"))
+            until(lambda: "Another arm" in page.read_text(encoding="utf-8"), process)
             process.send_signal(signal.SIGINT)
-            assert process.wait(10) == 0
-            assert "KeyboardInterrupt" not in process.stderr.read()
+            said = process.communicate(timeout=LONGEST)[1]
+            assert process.returncode == 0
+            assert "watching week1.yaml" in said
+            assert "KeyboardInterrupt" not in said
         finally:
             process.kill()
