@@ -49,10 +49,20 @@ def singularities(asked: Asked, point: Point) -> Iterator[Test]:
     for each in asked.objects("solutions"):
         angle, *moved = (asked.read(told) for name, told in each.items() if name != "when")
         yield Holds("solutions", _lie_in_line(asked, there, angle, CLOSE), "no bars lie in line there")
-        if moved and _is_built(asked, there, angle):
-            joined = _joined(asked, there, angle, moved[0], CLOSE)
+        if not moved:
+            continue
+        built = next((each for each in _positive(asked, point) if _is_built(asked, each, angle)), None)
+        if built is None:
+            yield Beyond("solutions", "no bars were found that have such a position")
+        else:
+            joined = _joined(asked, built, angle, moved[0], CLOSE)
             yield Holds("solutions", joined, "the bars are not joined there")
-    for each in asked.objects("evaluated solutions") if asked.evaluated else ():
+    for k, each in enumerate(asked.objects("evaluated solutions") if asked.evaluated else ()):
+        if not each.get("real", True):
+            angle = next(told for name, told in asked.objects("solutions")[k].items() if name != "when")
+            unreal = mpmath.im(_value(asked.here, asked.read(angle)))
+            yield Holds("evaluated solutions", unreal != 0, "there is such an angle")
+            continue
         told = [told for name, told in each.items() if name not in ("when", "real")]
         if any(isinstance(value, str) for value in told):
             yield Beyond("evaluated solutions", "symbols are left")
@@ -133,14 +143,19 @@ def _assemblies(
 
 def _place(asked: Asked, point: Point) -> Point:
     """Where bars can be joined."""
-    sizes = [getattr(asked.subject, name) for name in type(asked.subject).__dataclass_fields__]
-    positive = dict.fromkeys(frozenset().union(*map(free_symbols, sizes)), "positive")
-    for k in range(TRIES):
-        there = Point(point.seed * TRIES + k, False, (), {**positive, **asked.assumptions})
+    for there in _positive(asked, point):
         values = [in_turn(asked, each, there) for each in asked.objects("solutions")]
         if all(mpmath.im(each[name.name]) == 0 for each in values for name in _unknown(asked)):
             return there
     raise NotImplementedError("no position was found in which the bars can be joined")
+
+
+def _positive(asked: Asked, point: Point) -> Iterator[Point]:
+    """Points at which what has a letter in a linkage is positive."""
+    sizes = [getattr(asked.subject, name) for name in type(asked.subject).__dataclass_fields__]
+    positive = dict.fromkeys(frozenset().union(*map(free_symbols, sizes)), "positive")
+    for k in range(TRIES):
+        yield Point(point.seed * TRIES + k, False, (), {**positive, **asked.assumptions})
 
 
 def in_turn(asked: Asked, branch: Mapping[str, Any], there: Point) -> Point:
