@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from math import isclose
 from string import Formatter
 from typing import TypeVar
 
@@ -35,8 +36,8 @@ from derive.derivation import (
     Said,
     Words,
 )
-from derive.expression import PI, Degrees, Expr, Quotient, Relation, walk
-from derive.render.latex import Printer, is_approximate
+from derive.expression import PI, Approximate, Degrees, Expr, Quotient, Relation, walk
+from derive.render.latex import Printer
 from derive.render.layout import Chain
 from derive.render.notation import Notation
 from derive.render.printed import Printed, links_of, says
@@ -47,6 +48,7 @@ from derive.render.untold import Untold
 PHRASES = "phrases"  # the block of a words template that holds them
 STRONG, EM = ("**", "\x1e"), ("*", "\x1f")  # what is typed, and what stands for it until a phrase is written
 T = TypeVar("T")
+SHOWN = 3  # digits
 LATEX_SIGNS = {"<=": r"\leq", ">=": r"\geq", "!=": r"\neq"}
 
 
@@ -186,10 +188,16 @@ class Speech:
         return f"{first} {sign} {self.tree(relation.right, notation)}"
 
 
+def _is_rounded(tree: Expr) -> bool:
+    """Whether a number in it has more digits than are shown; 0.5 is 0.5."""
+    found = (node.value for node in walk(tree) if isinstance(node, Approximate))
+    return any(not isclose(float(f"{each:.{SHOWN}g}"), each, rel_tol=1e-9) for each in found)
+
+
 def sign_of(relation: Relation) -> str:
     """In LaTeX, between the two last sides; what is rounded is not equal."""
     left = relation.left.right if isinstance(relation.left, Relation) else relation.left
-    if relation.sign == "=" and (is_approximate(left) or is_approximate(relation.right)):
+    if relation.sign == "=" and (_is_rounded(left) or _is_rounded(relation.right)):
         return r"\approx"
     return LATEX_SIGNS.get(relation.sign, relation.sign)
 
