@@ -25,7 +25,7 @@ def chain_links(chain: tuple[Expr, ...], printer: Printer) -> Chain:
 def signed_links(relation: Relation, printer: Printer) -> Chain:
     """The sides of a relation, with the sign that stands before each."""
     left = relation.left
-    last = Link(sign_of(relation), printer.write(relation.right), relation.right)
+    last = Link(sign_of(relation, printer.notation.digits), printer.write(relation.right), relation.right)
     if isinstance(left, Relation):
         return (*signed_links(left, printer), last)
     return Link("=", printer.write(left), left), last

@@ -48,7 +48,6 @@ from derive.render.untold import Untold
 PHRASES = "phrases"  # the block of a words template that holds them
 STRONG, EM = ("**", "\x1e"), ("*", "\x1f")  # what is typed, and what stands for it until a phrase is written
 T = TypeVar("T")
-SHOWN = 3  # digits
 LATEX_SIGNS = {"<=": r"\leq", ">=": r"\geq", "!=": r"\neq"}
 
 
@@ -84,6 +83,7 @@ class Speech:
     styled: Callable[[Expr], Expr] = lambda tree: tree
     seen: Callable[[Chain, str], None] = lambda chain, written: None
     measured: Callable[[Relation], Relation] = lambda relation: relation
+    digits: int = 3  # of a number that is rounded
 
     def say(self, said: Said, notation: str = "") -> str:
         """A phrase or a relation as it stands in a text. Raises PhraseError."""
@@ -184,20 +184,20 @@ class Speech:
     def _relation(self, relation: Relation, notation: str) -> str:
         left = relation.left
         first = self._relation(left, notation) if isinstance(left, Relation) else self.tree(left, notation)
-        sign = sign_of(relation) if self.signs else relation.sign
+        sign = sign_of(relation, self.digits) if self.signs else relation.sign
         return f"{first} {sign} {self.tree(relation.right, notation)}"
 
 
-def _is_rounded(tree: Expr) -> bool:
+def _is_rounded(tree: Expr, digits: int) -> bool:
     """Whether a number in it has more digits than are shown; 0.5 is 0.5."""
     found = (node.value for node in walk(tree) if isinstance(node, Approximate))
-    return any(not isclose(float(f"{each:.{SHOWN}g}"), each, rel_tol=1e-9) for each in found)
+    return any(not isclose(float(f"{each:.{digits}g}"), each, rel_tol=1e-9) for each in found)
 
 
-def sign_of(relation: Relation) -> str:
+def sign_of(relation: Relation, digits: int) -> str:
     """In LaTeX, between the two last sides; what is rounded is not equal."""
     left = relation.left.right if isinstance(relation.left, Relation) else relation.left
-    if relation.sign == "=" and (_is_rounded(left) or _is_rounded(relation.right)):
+    if relation.sign == "=" and (_is_rounded(left, digits) or _is_rounded(relation.right, digits)):
         return r"\approx"
     return LATEX_SIGNS.get(relation.sign, relation.sign)
 
@@ -233,13 +233,21 @@ def written(
     def seen(chain: Chain, formula: str) -> None:
         printed.append(Printed.inline(formula, chain, printer.notation))
 
-    return Speech(lines, tree, "${}$", plain, strong, em, LATEX_SIGNS, styled, seen)
+    return Speech(
+        lines, tree, "${}$", plain, strong, em, LATEX_SIGNS, styled, seen, digits=printer.notation.digits
+    )
 
 
 def in_figure(folder: str, kind: str, notation: Notation) -> Speech:
     """How they speak in a figure: words, and mathematics in LaTeX between dollars."""
     printer = Printer(notation)
-    return Speech(lines_of(folder, kind), lambda tree, _: printer.write(tree), "${}$", signs=LATEX_SIGNS)
+    return Speech(
+        lines_of(folder, kind),
+        lambda tree, _: printer.write(tree),
+        "${}$",
+        signs=LATEX_SIGNS,
+        digits=notation.digits,
+    )
 
 
 def lines_of(folder: str, kind: str) -> dict[str, str]:

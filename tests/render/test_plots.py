@@ -20,12 +20,14 @@ from scipy import integrate, signal
 from derive.build import assemble
 from derive.derivation import Drawing, Figure, Panels, Plot
 from derive.errors import SheetErrors
+from derive.expression import Approximate, Relation, Symbol
 from derive.figures.loops import Pictured
 from derive.render.drawing.axes import Frame
 from derive.render.drawing.placing import Box
 from derive.render.drawing.plots import framed, sketched
 from derive.render.drawing.style import SERIES, series_pen
 from derive.render.drawing.subjects import laid_out
+from derive.render.phrases import sign_of
 from derive.sheet.load import load_sheet
 
 EXERCISES = Path(__file__).parents[2] / "exercises"
@@ -323,3 +325,8 @@ def test_what_is_drawn_wrongly_is_refused(
     with pytest.raises(SheetErrors) as caught:
         assemble(load_sheet(sheet))
     assert "its own check" in caught.value.errors[0].message
+
+
+def test_what_is_shown_with_all_its_digits_is_equal() -> None:
+    half, eighth = (Relation(Symbol("t"), "=", Approximate(value)) for value in (0.5, 0.125))
+    assert [sign_of(half, 2), sign_of(eighth, 3), sign_of(eighth, 2)] == ["=", "=", r"\approx"]
