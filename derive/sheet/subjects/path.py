@@ -13,11 +13,11 @@ from derive.errors import SheetError
 from derive.expression import ONE, PI, ZERO, Expr, add, column, free_symbols, multiply, number
 from derive.kinds.fields import Angle, Formula, Length, Name, OptionsModel, Quantity, Time
 from derive.mechanics.paths import Arc, Curve, Line, Path, Place, Shape, Timing, Via
-from derive.sheet.faults import NO_FORM, did_you_mean
+from derive.sheet.faults import NO_FORM
 from derive.sheet.source import At, Faults, Route
 from derive.sheet.subjects.moves import AxisField
 from derive.sheet.subjects.orientation import GivenOrientation, turned
-from derive.sheet.subjects.parameters import instead, taken_for_unit
+from derive.sheet.subjects.parameters import faults_of
 from derive.sheet.subjects.registry import Known
 
 FORMS = (
@@ -288,18 +288,7 @@ def _line_faults(line: GivenLine, at: At, known: Known) -> Iterator[SheetError]:
 
 
 def _function_faults(given: OfFunction, at: At, known: Known) -> Iterator[SheetError]:
-    names = {name for tree in given.function for name in free_symbols(tree)}
-    for name in names & known.where.keys():
-        names |= free_symbols(known.where[name])
-    for k, tree in enumerate(given.function):
-        if taken_for_unit(tree, given.parameter):
-            said = f"'{given.parameter}' was read as a unit here"
-            yield at.fault(said, ("function", k), instead(given.parameter))
-    if given.parameter in known.where:
-        yield at.fault(f"'{given.parameter}' has a value under where: and cannot vary", ("function",))
-    elif given.parameter not in names:
-        hint = did_you_mean(given.parameter, names) or "say which letter is: parameter: t"
-        yield at.fault(f"the path does not depend on '{given.parameter}'", ("function",), hint)
+    yield from faults_of(given.parameter, given.function, "function", "t", at, known)
     for end, (k, tree) in product((given.parameter,), enumerate(given.range or ())):
         if end in free_symbols(tree):
             yield at.fault("the range depends on the parameter", ("range", k))

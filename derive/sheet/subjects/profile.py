@@ -21,7 +21,7 @@ from derive.mechanics.profile import NO_UNITS, Axis, JointPath, Journey, Profile
 from derive.sheet.checked import values_in
 from derive.sheet.faults import NO_FORM
 from derive.sheet.source import At, Faults, Route
-from derive.sheet.subjects.parameters import instead, taken_for_unit
+from derive.sheet.subjects.parameters import faults_of
 from derive.sheet.subjects.registry import Known
 
 # Limits are told to be kept or not by every kind; how fast the middle part is belongs to one.
@@ -231,15 +231,7 @@ def _wrong_path(given: GivenPath, at: At, known: Known) -> Iterator[SheetError]:
             size = _number(limit, known)
             if size is not None and size <= 0:
                 yield at.fault(f"{key} must be positive", (key, k), "limits are sizes")
-    for k, tree in enumerate(given.path):
-        if taken_for_unit(tree, given.parameter):
-            said = f"'{given.parameter}' was read as a unit here"
-            yield at.fault(said, ("path", k), instead(given.parameter))
-    if given.parameter in known.where:
-        yield at.fault(f"'{given.parameter}' has a value under where: and cannot vary", ("path",))
-    elif all(given.parameter not in free_symbols(tree) for tree in given.path):
-        hint = "say which letter is: parameter: u"
-        yield at.fault(f"the path does not depend on '{given.parameter}'", ("path",), hint)
+    yield from faults_of(given.parameter, given.path, "path", "u", at, known)
     if known.sign(given.range[1] - given.range[0]) in (0, -1):
         yield at.fault("the range ends before it begins", ("range",), "write range: [from, to]")
 
