@@ -12,6 +12,7 @@ from derive.kinds.checks import SECOND_ROUTE
 from derive.kinds.measured import InDecimals
 from derive.kinds.problem import Problem, expressions
 from derive.kinds.registry import words_folder
+from derive.named import strangers
 from derive.sheet.model import Question
 from derive.sheet.source import At
 
@@ -23,6 +24,7 @@ UNPROVED = "nothing proves the answer of '{}': links from line to line hold of a
 AS_WRITTEN = (
     "the answer failed its own check: a formula of it, read as it is written, is not the value it stands for"
 )
+UNKNOWN = "the answer failed its own check: it does not say what these names stand for: {}"
 REPORT = "please report this with the sheet"
 PROVE = "its author must claim a law or an independent route: see 'What proves an answer' in CONTRIBUTING.md"
 
@@ -51,6 +53,8 @@ def answered(question: Question, working: Problem) -> Derivation:
             raise SheetErrors([_failure(rested_on, claim, question, working)])
     if not derivation.proved:
         raise SheetErrors([SheetError(UNPROVED.format(derivation.kind), question.place, PROVE)])
+    if unknown := strangers(derivation, question.options, working):
+        raise SheetErrors([SheetError(UNKNOWN.format(", ".join(sorted(unknown))), question.place, REPORT)])
     return derivation
 
 

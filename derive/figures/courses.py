@@ -26,6 +26,7 @@ SHAPES = {
 }
 RAMPS = ((2, 1, 2), (2, 2))
 SAME = 1e-9  # of times that are one
+NEARLY = 0.7  # of the greatest value: drawn at samples
 PAST = 0.2  # of a limit: how far back a motion goes for the limit to be drawn there too
 
 
@@ -114,7 +115,7 @@ def _told(course: Course, units: tuple[str, ...], turned: bool) -> Phrase:
     def sized(value: float, order: int) -> str:
         return f"{short(degrees(value) if turned else value)} {units[order]}".replace(" °", "°").rstrip()
 
-    fast, strong = (max(map(abs, extremes(course, order))) for order in (1, 2))
+    fast, strong = (_greatest(course, order) for order in (1, 2))
     last = course[-1]
     return Phrase(
         "seen-motion",
@@ -123,3 +124,12 @@ def _told(course: Course, units: tuple[str, ...], turned: bool) -> Phrase:
             "time": f"{short(last.end)} s", "fast": sized(fast, 1), "strong": sized(strong, 2),
         },
     )  # fmt: skip
+
+
+def _greatest(course: Course, order: int) -> float:
+    """Of a derivative, in size. Raises NotAsWritten where more is drawn, or nothing near it."""
+    greatest = max(map(abs, extremes(course, order)))
+    drawn = max(map(abs, sampled(course, order)[1]))
+    if not NEARLY * greatest <= drawn <= (1 + SAME) * greatest:
+        raise NotAsWritten
+    return greatest

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import re
 
+from derive.errors import NotAsWritten
+
 # A block or span of code, an escaped sign, or a formula between its dollars.
 FORMULA = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)|\\.|(?P<mark>\${1,2})(?P<tex>[^$]+)(?P=mark)", re.DOTALL)
 COMMANDS = {
@@ -22,6 +24,9 @@ MATRIX = re.compile(r"(?<=\\begin\{bmatrix\})[ \t]+|[ \t]+(?=\\end\{bmatrix\})")
 ROW = re.compile(r"[ \t]*(\\\\(?:\[[^\]\n]*\])?)[ \t]*\n?[ \t]*(?=\S)")
 ROOM = re.compile(r"(?<=\\\\)\[[\d.]+ex\]")
 ACCENT = re.compile(r"(\\d?dot)\{(?:(\\[A-Za-z]+)|([A-Za-z]))\}(?=_)")
+ROOMS = frozenset(command for command, written in COMMANDS.items() if written.startswith(r"\hspace"))
+WIDTH = re.compile(r"\\hspace\{-?[\d.]+em\}")
+SAID = re.compile(r"\\[A-Za-z]+|\\.|[^\s{}]")
 EMPHASIS = re.compile(r"(?<![A-Za-z0-9])_(?=\S)")  # the sign before it is no letter: it may begin emphasis
 
 
@@ -41,10 +46,19 @@ def _written(found: re.Match[str]) -> str:
 
 
 def kept(tex: str) -> str:
-    """A formula of one row that CommonMark does not change."""
+    """A formula of one row that CommonMark does not change. Raises NotAsWritten where it says something else."""
     spaced = SIGN.sub(lambda sign: COMMANDS[sign[0]], AFTER_COMMA.sub("", tex))
     accented = ACCENT.sub(lambda of: f"{of[1]}{of[2] or f' {of[3]}'}", spaced)
-    return ROOM.sub("", EMPHASIS.sub("_ ", accented))
+    written = ROOM.sub("", EMPHASIS.sub("_ ", accented))
+    if _said(written) != _said(tex):
+        raise NotAsWritten
+    return written
+
+
+def _said(tex: str) -> list[str]:
+    """Its commands and signs, without room and braces."""
+    bare = WIDTH.sub("", ROOM.sub("", tex))
+    return [COMMANDS.get(sign, sign).rstrip() for sign in SAID.findall(bare) if sign not in ROOMS]
 
 
 def rows_apart(tex: str) -> str:

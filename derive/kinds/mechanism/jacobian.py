@@ -15,6 +15,7 @@ Facts = JacobianFacts
 NEEDS = ("motors",)
 CLAIMS = ("by-differences",)
 CLAIMED = {"J": "by-differences"}
+INTRODUCED = "[xyz]"  # where the end-effector is
 
 
 def derive(robot: FiveBar | Delta | Stewart, options: Options, problem: Problem) -> Derivation:

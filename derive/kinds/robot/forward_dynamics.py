@@ -47,6 +47,7 @@ from derive.mechanics.robot import Robot
 from derive.names import entry_symbol
 
 CLAIMED = {"D_inv": "adjugate", "h": "equations-hold|at-a-point", "qddot": "solved|at-a-point"}
+INTRODUCED = r"h_\d+"  # entries of h
 
 NEEDS = ("bodies",)
 measures = together(of_joints("qddot", power=2), of_joints("h", effort=True))

@@ -43,6 +43,7 @@ from derive.mechanics.task import moving_rows
 from derive.names import require_free
 
 CLAIMED = {"J_inv": "in-numbers", "Lambda": "lambda-at-a-point", "D": "at-a-point"}
+INTRODUCED = r"j_[\d,]+"  # entries of J
 
 NEEDS = ("bodies",)
 CLAIMS = (

@@ -54,6 +54,7 @@ from derive.mechanics.regressor import ELEMENTS, MOMENTS, NAMES
 from derive.mechanics.robot import Robot
 
 CLAIMED = {"groups": "motion-of-each-body", "names": "motion-of-each-body"}
+INTRODUCED = r"(M|M[XYZ]|[XYZ]{2}|IA|F[VS])_\d+"  # the parameters of a body
 
 NEEDS = ("bodies",)
 CLAIMS = ("motion-of-each-body", "smallest")

@@ -45,6 +45,7 @@ from derive.names import free
 NEEDS = ("bodies",)
 CLAIMS = ("momentum", "observed", "felt")
 CLAIMED = {"r_dot": "observed"}
+INTRODUCED = r"tau_ext_\d+"  # torques of contacts
 measures = of_joints("alpha", effort=True)
 HALF = ONE / number(2)
 K, D, Q_DOT = symbols("K D q_dot")

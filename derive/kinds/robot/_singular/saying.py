@@ -17,6 +17,7 @@ LOOKS = {
     "axis": "on-an-axis", "plane": "in-a-plane", "coincide": "axes-coincide", "parallel": "axes-parallel",
     "stretched": "elbow-stretched", "folded": "elbow-folded",
 }  # fmt: skip
+PLACES = {"axis": "shoulder", "plane": "shoulder", "coincide": "wrist", "parallel": "wrist"}
 NAMED = {"shoulder": "shoulder-singularity", "wrist": "wrist-singularity"}
 BENT = {"stretched": "elbow-is-stretched", "folded": "elbow-is-folded"}
 
@@ -89,11 +90,10 @@ def _look(look: Look, point: Phrase, block: Block) -> Phrase:
 def _where(look: Look, block: Block) -> str:
     """Of the joints that move the point, the first is the shoulder's; the last three are a wrist where they
     are not all parallel."""
-    rows = block.seen.rows
-    if look.kind in ("axis", "plane"):
-        return "shoulder" if look.joints[0] == rows[0] else ""
+    rows, sort = block.seen.rows, PLACES.get(look.kind, "")
     wrist = look.joints == (rows[-1] - 2, rows[-1]) and block.seen.has_wrist
-    return "wrist" if wrist and look.kind in ("coincide", "parallel") else ""
+    is_there = {"shoulder": look.joints[0] == rows[0], "wrist": wrist}
+    return sort if is_there.get(sort) else ""
 
 
 def _plain(look: Look, point: Phrase) -> Phrase:

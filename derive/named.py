@@ -1,0 +1,96 @@
+"""Define before use, of results: each name in one is on the sheet, or the answer says what it is.
+
+An answer says what a name is where it stands alone: at the head of a chain, as a definition, an unknown, an
+entry, with its unit, or as something that its words are told of. A slip that leaves a name behind whose line
+was never derived, t_2 of a course that has no such time, is found here.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
+from typing import Any, get_args
+
+from pydantic import BaseModel
+
+from derive.derivation import Derivation, LinearSystem, Result
+from derive.expression import Expr, Matrix, Relation, Symbol, free_symbols
+from derive.kinds.problem import Problem, expressions
+from derive.kinds.registry import load
+
+TREES = get_args(Expr)
+RATE = re.compile(r"(_d*dot)+$")
+OF_ALL = {"pi", "t", "g"} | {kind + axis for kind in ("v", "w", "a", "omega_") for axis in "xyz"}
+INTRODUCED = "INTRODUCED"  # a pattern in the module of a kind: names that stand for nothing else on its page
+
+
+def strangers(answer: Derivation, options: Any, problem: Problem) -> frozenset[str]:
+    """Names in results that are nowhere said to be anything."""
+    used = frozenset[str]().union(*map(_used, answer.results.values()))
+    used = frozenset(name.rstrip("*") for name in used) - OF_ALL - problem.taken
+    known = {RATE.sub("", name) for name in _known(answer, options, problem)}
+    pattern = getattr(load(problem.name, answer.kind), INTRODUCED, "")
+    return frozenset(
+        name for name in used if RATE.sub("", name) not in known and not re.fullmatch(pattern, name)
+    )
+
+
+def _used(result: Result) -> frozenset[str]:
+    trees = (result.left, result.right) if isinstance(result, LinearSystem) else expressions(result)
+    return frozenset[str]().union(*map(free_symbols, trees))
+
+
+def _known(answer: Derivation, options: Any, problem: Problem) -> Iterator[str]:
+    yield from (*problem.moving, *answer.results)
+    yield from _typed(options)
+    yield from _said(answer)
+
+
+def _typed(value: Any) -> Iterator[str]:
+    """Names of an option."""
+    match value:
+        case BaseModel():
+            for _, each in value:
+                yield from _typed(each)
+        case tuple() | list():
+            for each in value:
+                yield from _typed(each)
+        case Mapping():
+            for key, each in value.items():
+                yield from _typed((key, each))
+        case _ if isinstance(value, TREES):
+            yield from free_symbols(value)
+
+
+def _said(answer: Derivation) -> Iterator[str]:
+    """By the answer, and by those on which it rests."""
+    alone = [answer.definitions, answer.units, answer.facts]
+    for step in answer.all_steps():
+        alone += [step.chain[:1], step.entries, step.facts]
+    for result in answer.results.values():
+        if isinstance(result, LinearSystem):
+            alone += [result.unknowns, result.names]
+    yield from _alone(tuple(alone))
+    for used in answer.uses:
+        yield from _said(used)
+
+
+def _alone(value: Any) -> Iterator[str]:
+    """Names that stand alone, not in a formula."""
+    match value:
+        case Symbol(name):
+            yield name.rstrip("*")
+        case Matrix(rows):
+            yield from _alone(rows)
+        case Relation(left, "="):
+            yield from _alone(left)
+        case tuple() | list():
+            for each in value:
+                yield from _alone(each)
+        case Mapping():
+            for each in value.items():
+                yield from _alone(each)
+        case _ if is_dataclass(value) and not isinstance(value, (type, Relation, *TREES)):
+            for each in fields(value):
+                yield from _alone(getattr(value, each.name))
