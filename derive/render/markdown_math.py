@@ -46,7 +46,7 @@ def _written(found: re.Match[str]) -> str:
 
 
 def kept(tex: str) -> str:
-    """A formula of one row that CommonMark does not change. Raises NotAsWritten where it says something else."""
+    """A formula of one row that CommonMark does not change. Raises NotAsWritten where it says another."""
     spaced = SIGN.sub(lambda sign: COMMANDS[sign[0]], AFTER_COMMA.sub("", tex))
     accented = ACCENT.sub(lambda of: f"{of[1]}{of[2] or f' {of[3]}'}", spaced)
     written = ROOM.sub("", EMPHASIS.sub("_ ", accented))
