@@ -71,6 +71,7 @@ def _by_last_link(work: Work, arm: TurningAbout, told: Facts) -> Derivation:
         same = {*factors_of(area)} == {*factors_of(long[A])}  # in another order
         work = work.line(A, area, value=area, label="area") if same else long
         results["area"] = work[A]
+        work = work.claim(route("area-covered", arm.covers(work[A])))
     work = work.claim(route("orientations", arm.rings(found)))
     where = Dexterous(
         borders=("rho_1", "rho_2") if borders else (), measure="area" in results, where=described(found)

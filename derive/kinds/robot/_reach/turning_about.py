@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from math import pi
 from typing import Any
 
 from derive.algebra.numbers import floats as numeric
-from derive.expression import Approximate
+from derive.expression import Approximate, Expr
 from derive.kinds.checks import random_points
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
@@ -20,6 +21,7 @@ from derive.mechanics.chain import Chain
 from derive.mechanics.reach import moving_joints
 
 POINTS, COUNT = 3, 60
+FINE, BORDERS = 2000, 3  # rings that are added up, and circles at most where they begin or end
 SMALL, NEAR = 1e-5, 2e-2
 Values = dict[str, float]
 
@@ -60,6 +62,16 @@ class TurningAbout:
             for r in samples(size, COUNT):
                 if not near_an_end(pieces, r, NEAR * size):
                     yield holds(pieces, r) == (r + last <= far and abs(r - last) >= near)
+
+    def covers(self, area: Expr) -> Iterator[bool]:
+        """Whether an area is that of all circles on which the last link may point whichever way."""
+        for at in self.points:
+            near, far, last = self._others(at)
+            size = far + last
+            width = 1.1 * size / FINE
+            inside = (r for r in samples(size, FINE) if r + last <= far and abs(r - last) >= near)
+            apart = numeric.number(area, at) - 2 * pi * width * sum(inside)
+            yield abs(apart) < BORDERS * 2 * pi * size * width
 
     def _told(self, told: Rings, at: Values) -> list[tuple[Any, Any]]:
         """The rings at these lengths; where they depend on the lengths, by the borders that are told."""
