@@ -74,11 +74,22 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     shown = replace(told, in_parts)  # in the names of minors, where it has such
     work = work.knowing(known).line(Q_DDOT, value=shown, rule="solve", label="qddot")
     qddot = replace(replace(rates.matrix("qdot"), in_parts), known)
+    both = (qddot, _put_in(shown, {**rates.definitions, **known}))
     work = work.claim(
-        route("acceleration-met", (_is_met(task, qddot, wanted, at) for at in _points(task, wanted)))
+        route(
+            "acceleration-met",
+            (_is_met(task, each, wanted, at) for at in _points(task, wanted) for each in both),
+        )
     )
     facts = Facts(wanted=wanted, components=parts, square=task.square, redundant=task.redundant)
     return work.answer("inverse-acceleration", {"qddot": qddot}, facts)
+
+
+def _put_in(tree: Expr, names: Mapping[Expr, Expr]) -> Expr:
+    """Without names that stand for others."""
+    while (filled := replace(tree, names)) != tree:
+        tree = filled
+    return tree
 
 
 def _wanted(task: Task, k: int) -> str:
