@@ -52,6 +52,7 @@ class SoFar:
     equations: list[Equation] = field(default_factory=list)
     counted: set[int] = field(default_factory=set)
     begun: dict[int, dict[object, int]] = field(default_factory=dict)  # what was explained before each
+    sought: list[tuple[int, Expr, Expr | None]] = field(default_factory=list)  # displays for names
 
     @contextmanager
     def telling(self, derivation: Derivation) -> Iterator[None]:
@@ -90,11 +91,15 @@ class SoFar:
     def value(self, name: Expr, here: Derivation) -> str | None:
         """A reference to the last display of this problem that says what a name is, the same as here."""
         known = here.definitions.get(name)
-        return self._reference(
+        found = (
             k
             for k, each in self._of_the_problem()
             if _says(each, name) and each.of.definitions.get(name) == known
         )
+        if (first := next(found, None)) is None:
+            return None
+        self.sought.append((first, name, known))
+        return self._reference([first])
 
     def answer(self, kind: str, here: Derivation) -> str | None:
         """A reference to the answer of a kind, on which this derivation rests."""
@@ -131,6 +136,12 @@ class SoFar:
         self.counted.add(first)
         return f"\x06{first}\x07"
 
+    def _leads(self, to: int, name: Expr, known: Expr | None) -> bool:
+        """Whether a display begins with a name that stands for this there."""
+        display = self.equations[to]
+        heads = [chain[0] for chain in display.chains]
+        return name in heads and display.of.definitions.get(name) == known
+
     def figure(self, path: str) -> str:
         """What stands for the number of a figure, by the path of its picture, until it is known."""
         if path not in self.figures:
@@ -138,7 +149,10 @@ class SoFar:
         return f"\ue000{self.figures.index(path)}\ue001"
 
     def settled(self, page: str, numbered: Callable[[str, int], str]) -> str:
-        """The page with its numbers, and without the marks. Raises NotAsWritten where a display is lost."""
+        """The page with its numbers, and without the marks. Raises NotAsWritten where a display is lost, or a
+        reference leads to one of something else."""
+        if not all(self._leads(*each) for each in self.sought):
+            raise NotAsWritten("a reference leads to another equation")
         number = {key: count for count, key in enumerate(sorted(self.counted), 1)}
 
         def shown(found: re.Match[str]) -> str:
