@@ -36,6 +36,7 @@ from derive.kinds.robot._dynamics.regressor import (
     Standard,
     base_parameters,
     dependent,
+    has_zeros,
     referred_to,
     standard_parameters,
 )
@@ -82,6 +83,7 @@ class Facts(PageFacts):
     elements: tuple[Expr, ...]
     about: Phrase  # the points that these refer to
     others: tuple[Phrase, ...]  # that belong to no body
+    zeros: bool  # whether some of a body are zero, and are left out as known to be so
     terms: int | None = None  # of all columns, where there are too many to be printed
     there: bool = False  # whether they are given in numbers
     alike: Phrase | None  # parameters of the smallest set that are equal, by the values given here
@@ -226,6 +228,7 @@ def _facts(
         elements=tuple(map(of_each, sorted(ELEMENTS))),
         about=Phrase(ABOUT[referred_to(problem)]),
         others=said_of_each(COLUMNS, (part.name for part in others)),
+        zeros=has_zeros(problem),
         alike=_told_alike(alike) if alike else None,
         terms=terms,
         numbers=printed,

@@ -47,7 +47,8 @@ class Base:
 
 
 def standard_parameters(problem: Problem) -> tuple[Standard, ...]:
-    """Of bodies, rotors and frictions, those that are not zero and act, in the order of the links.
+    """Of bodies, rotors and frictions, those that are not zero and act, in the order of the links. One that
+    is zero is left out as known to be so: counted, it could make other columns combinations of more.
 
     Raises NotDerivable where a body or the friction of a joint changes with a joint variable, TooManyTerms
     where there are more than anyone waits for.
@@ -83,6 +84,14 @@ def referred_to(problem: Problem) -> str:
     return "either" if turning <= before and every - turning <= own else "axis"
 
 
+def has_zeros(problem: Problem) -> bool:
+    """Whether a link has a parameter that is zero, all of them without a body."""
+    found = chain_of(problem)
+    bodies = {body.i: body for body in weighted(problem, found)}
+    links = range(1, len(problem.subject.links) + 1)
+    return any(i not in bodies or not all(_values(found, bodies[i]).values()) for i in links)
+
+
 def _refuse_changing(problem: Problem) -> None:
     robot = problem.subject
     rubbing = (tree for each in friction_terms(robot) for tree in each)
@@ -102,12 +111,16 @@ def _refuse_vast(terms: int) -> None:
 
 
 def _of_body(found: Chain, body: Weighted, gravity: ScalarMatrix) -> Iterator[Standard]:
-    motion, i = body.motion, body.i
-    com = rotation_part(found.T[i]).T @ (motion.com - reference(found, i))
-    values = parameters_of(motion.mass, com, motion.inertia)
+    values = _values(found, body)
     wanted = [name for name in NAMES if values[name]]
-    for part in columns(found, i, gravity, wanted):
-        yield Standard(_name(part.name, i), values[part.name], ScalarMatrix.column(part.column))
+    for part in columns(found, body.i, gravity, wanted):
+        yield Standard(_name(part.name, body.i), values[part.name], ScalarMatrix.column(part.column))
+
+
+def _values(found: Chain, body: Weighted) -> dict[str, Scalar]:
+    """The ten parameters of a body."""
+    com = rotation_part(found.T[body.i]).T @ (body.motion.com - reference(found, body.i))
+    return parameters_of(body.motion.mass, com, body.motion.inertia)
 
 
 def _of_rotor(problem: Problem, link: Link) -> list[Standard]:
