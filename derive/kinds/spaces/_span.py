@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import TooLong
-from derive.algebra.solving.row_reduction import column_space, eliminated, null_space
+from derive.algebra.solving.row_reduction import eliminated, null_space
 from derive.errors import NotDerivable
 
 TOO_LONG = "the elimination comes to formulas that are too long; give more values under evaluate"
@@ -16,8 +16,8 @@ TOO_LONG = "the elimination comes to formulas that are too long; give more value
 @dataclass(frozen=True, slots=True)
 class Span:
     """Of J (m by n): its rank r, the reduced echelon form with its rows of zeros left out (r by n) and the
-    columns of its pivots; bases of null space (n by 1 each), range and left null space (m by 1 each). The
-    rank is r wherever none of the `leads` vanishes."""
+    columns of its pivots; bases of null space (n by 1 each), range and left null space (m by 1 each), the
+    second made of the columns of J with a pivot. The rank is r wherever none of the `leads` vanishes."""
 
     rank: int
     reduced: ScalarMatrix | None
@@ -34,7 +34,8 @@ def span(J: ScalarMatrix, variables: tuple[str, ...]) -> Span:
     try:
         found = eliminated(J)
         reduced = ScalarMatrix.of(found.rows.rows[: found.rank]) if found.rank else None
-        spaces = (null_space(J, variables), column_space(J, variables), null_space(J.T, variables))
+        image = tuple(J.columns(j) for j in found.pivots)
+        spaces = (null_space(J, variables), image, null_space(J.T, variables))
         return Span(found.rank, reduced, found.pivots, found.leads, *spaces)
     except TooLong as error:
         raise NotDerivable(TOO_LONG) from error

@@ -73,9 +73,19 @@ def orientations_told(
         if lengths := equal_lengths(region):
             return Phrase("two-orientations-or-the-base", {"equal": Relation(lengths[0], "=", lengths[1])})
         return Phrase("the-base-alone" if closed else "two-orientations")
+    if region.kind != "planar" and (spare or len(region.lengths) > 2):
+        return _missing(spare, len(region.lengths) > 2)
     if len(region.lengths) > 2:
         return Phrase("no-wrist" if spare else "too-few-joints")
     return Phrase("no-wrist" if spare else "no-joint-left")
+
+
+def _missing(spare: tuple[int, ...], idle: bool) -> Phrase:
+    """Why joints that are `spare` do not give every orientation in space; another one is `idle` where it may
+    move although the point stays."""
+    if len(spare) + idle < 3:
+        return Phrase("too-few-joints")
+    return Phrase("no-wrist" if len(spare) == 3 and not idle else "orientations-open")
 
 
 def shape_orientations(shape: Shape, spare: tuple[int, ...], free: bool, planar: bool) -> Phrase:
@@ -83,7 +93,7 @@ def shape_orientations(shape: Shape, spare: tuple[int, ...], free: bool, planar:
     if free:
         return Phrase("both-the-same-by-one" if len(spare) == 1 else "both-the-same", {"spare": spare})
     if shape.kind == "box":
-        return Phrase("no-wrist" if spare else "never-turned")
+        return _missing(spare, idle=False) if spare else Phrase("never-turned")
     if shape.gap is not None and shape.turn is None and planar and not spare:
         link = shape.link
         about: dict[str, Said] = {
@@ -91,5 +101,7 @@ def shape_orientations(shape: Shape, spare: tuple[int, ...], free: bool, planar:
         }  # fmt: skip
         return Phrase("last-link-within", about)
     if len(shape.rows) <= (2 + bool(shape.lift) if planar else 3):
+        if spare and not planar:
+            return _missing(spare, idle=False)
         return Phrase("no-wrist" if spare else "no-joint-left")
     return Phrase("orientations-open")
