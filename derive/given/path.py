@@ -48,7 +48,7 @@ def _shape(path: Path, problem: Problem) -> Iterator[Datum]:
             )
             if between is not None:
                 low, high = between
-                yield Datum(Phrase("range", {"s": Symbol(parameter), "low": low, "high": high}))
+                yield Datum(Phrase("range", {"s": Symbol(parameter), "low": low, "high": measured(high)}))
         case Arc() as arc:
             yield from _arc(arc)
         case Via() as via:

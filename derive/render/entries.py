@@ -17,6 +17,7 @@ LONG = 8.0  # em from which an entry gets a name
 ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")  # of a Jacobian
 VECTOR = (2, 3)  # rows of a column that is a vector of the plane or of space
 PLAIN = (ZERO, ONE, MINUS_ONE)
+DOTTED = ("i", "j")  # letters of which no one sees whether they have a dot
 
 Chain = tuple[Expr, ...]
 Names = Mapping[tuple[int, int], Symbol]  # of entries, by row and column from 0
@@ -63,6 +64,8 @@ def _of_entries(name: Expr, matrix: Matrix, printer: Printer) -> Names:
     whole, rate = _rate_apart(_base(name).partition("^")[0])
     stem, _, index = whole.partition("_")
     letter = stem.lower() if stem.lower() in GREEK else stem[:1].lower()
+    if rate and letter in DOTTED:
+        letter = letter.upper()
     letter = f"{letter}_{index}" if index else letter
     names: dict[tuple[int, int], Symbol] = {}
     known: dict[Expr, Symbol] = {}
@@ -77,7 +80,7 @@ def _of_entries(name: Expr, matrix: Matrix, printer: Printer) -> Names:
 
 
 def _rate_apart(name: str) -> tuple[str, str]:
-    """J and _dot of J_dot: its entries are j_11_dot."""
+    """J and _dot of J_dot: its entries are J_11_dot."""
     for rate in ("_ddot", "_dot"):
         if name.endswith(rate):
             return name.removesuffix(rate), rate

@@ -14,7 +14,7 @@ from derive.expression import Expr, Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
 from derive.kinds.path._frenet import Bent
-from derive.kinds.path._timing import T, Timed, in_time, timed
+from derive.kinds.path._timing import T_1, T_2, T, Timed, in_time, timed
 from derive.kinds.path._timing_checks import agrees
 from derive.kinds.work import Work
 from derive.mechanics.paths import Timing
@@ -116,6 +116,7 @@ def _law_told(time: Timed, found: Bent) -> Phrase:
     about: dict[str, Any] = {"s": time.names[0], "T": time.time}
     if time.law != "trapezoidal":
         return Phrase("by-cubic" if time.law == "cubic" else "by-quintic", about)
+    about |= {"risen": T_1, "falling": T_2}
     if not found.work.problem.subject.along:
         return Phrase("by-trapezoid-of-s" if time.reached else "by-triangle-of-s", about)
     return Phrase("by-trapezoid" if time.reached else "by-triangle", about)

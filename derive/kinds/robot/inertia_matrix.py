@@ -50,6 +50,7 @@ class Facts(PageFacts):
     centers: Phrase | None  # where they are given
     moments: Phrase
     one: bool  # inertia matrix
+    only: int | None  # the link that alone adds to D, of several
     big: bool
     drifts: Phrase | None
     alone: tuple[Symbol, ...]  # the Jacobian of a single center of mass, and its two parts
@@ -96,6 +97,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         centers=None if big else centers_told(heavy),
         moments=Phrase(key if one else MANY[key]),
         one=one,
+        only=heavy[0].i if len(heavy) == 1 < len(robot.links) else None,
         big=big,
         drifts=Phrase("drifts") if any(body.at.drift for body in bodies) else None,
         alone=_jacobians(heavy[0].i) if len(heavy) == 1 and not big else (),
