@@ -432,5 +432,5 @@ def test_parameters_that_the_bodies_make_equal_are_told(other: str, told: str, t
 def test_one_thing_is_not_told_in_the_plural(tmp_path: Path) -> None:
     said = page(PENDULUM.replace("MORE", ""), "dynamics", tmp_path)
     assert "The center of mass has the Jacobian" in said
-    assert "link 2 adds its part" in said.lower()
+    assert "the link adds its part" in said.lower()
     assert "the potential energy is" in said
