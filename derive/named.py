@@ -1,8 +1,9 @@
 """Define before use, of results: each name in one is on the sheet, or the answer says what it is.
 
-An answer says what a name is where it stands alone: at the head of a chain, as a definition, an unknown, an
-entry, with its unit, or as something that its words are told of. A slip that leaves a name behind whose line
-was never derived, t_2 of a course that has no such time, is found here.
+An answer says what a name is where it stands alone: at the head of a chain, at the end of a law (tau_k of any
+joint), as a definition, an unknown, an entry, with its unit, or as something that its words are told of. A
+slip that leaves a name behind whose line was never derived, t_2 of a course that has no such time, is found
+here.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from derive.kinds.registry import load
 
 TREES = get_args(Expr)
 RATE = re.compile(r"(_d*dot)+$")
+OF_A_JOINT, OF_EACH = re.compile(r"_\d+$"), "_k"  # an index, and that of a law
 OF_ALL = {"pi", "t", "g"} | {kind + axis for kind in ("v", "w", "a", "omega_") for axis in "xyz"}
 INTRODUCED = "INTRODUCED"  # a pattern in the module of a kind: names that stand for nothing else on its page
 
@@ -31,8 +33,9 @@ def strangers(answer: Derivation, options: Any, problem: Problem) -> frozenset[s
     used = frozenset(name.rstrip("*") for name in used) - OF_ALL - problem.taken
     known = {RATE.sub("", name) for name in _known(answer, options, problem)}
     pattern = getattr(load(problem.name, answer.kind), INTRODUCED, "")
+    alone = {name: RATE.sub("", name) for name in used if not re.fullmatch(pattern, name)}
     return frozenset(
-        name for name in used if RATE.sub("", name) not in known and not re.fullmatch(pattern, name)
+        name for name, still in alone.items() if not {still, OF_A_JOINT.sub(OF_EACH, still)} & known
     )
 
 
@@ -68,6 +71,7 @@ def _said(answer: Derivation) -> Iterator[str]:
     alone = [answer.definitions, answer.units, answer.facts]
     for step in answer.all_steps():
         alone += [step.chain[:1], step.entries, step.facts]
+        alone += step.chain[-1:] if step.rule == "law" else ()
     for result in answer.results.values():
         if isinstance(result, LinearSystem):
             alone += [result.unknowns, result.names]

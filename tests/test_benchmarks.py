@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from benchmarks.arms import ARMS
 from benchmarks.cases import CASES, case
+from benchmarks.grid import KINDS, robot_of, values
 from benchmarks.peers import ours
 from benchmarks.rows import rows_of
 from benchmarks.worker import point_of
@@ -33,3 +35,10 @@ def test_two_joints_agree_with_newton_and_euler() -> None:
         for k in n
     ]
     assert torques == pytest.approx(list(Oracle(robot, {}).torques(point)), rel=1e-9)
+
+
+@pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
+def test_every_arm_of_the_grid_has_a_joint_in_each_row(arm) -> None:
+    robot = robot_of(arm, KINDS[-1])
+    assert len(robot.variables) == len(arm.table.split(";"))
+    assert {name for name, _ in values(arm, KINDS[-1])} >= {*robot.variables, "m1", "Iz1"}

@@ -50,6 +50,7 @@ from derive.kinds.robot._reach.told import (
     shape_orientations,
 )
 from derive.kinds.robot._reach.turning_about import TurningAbout
+from derive.kinds.robot._reach.where_real import where_real
 from derive.kinds.robot._reach.within_ranges import within_ranges
 from derive.kinds.robot._units import of_variables, together
 from derive.kinds.values_at import point_of
@@ -68,11 +69,11 @@ CLAIMED = {
     "regions": "section-counts",
 }
 CLAIMED_OF_REGION = (
-    "largest-distance|inside|section-told|on-sphere|still",
-    "smallest-distance|filled|section-told|on-sphere|still",
-    "lines|section-told|on-sphere|still",
-    "link-lengths|touching|section-told|on-sphere|still",
-    "called|section-told|on-sphere|still",
+    "largest-distance|inside|section-told|on-sphere|still|reached-there",
+    "smallest-distance|filled|section-told|on-sphere|still|reached-there",
+    "lines|section-told|on-sphere|still|reached-there",
+    "link-lengths|touching|section-told|on-sphere|still|reached-there",
+    "called|section-told|on-sphere|still|reached-there",
 )
 measures = together(
     of_variables, r_min="m", r_max="m", area="m^2", volume="m^3", rho2="m^2", z="m", z_min="m", z_max="m"
@@ -112,6 +113,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if shape:
         return _within(problem, found, point, shape, options)
     if (told := by_section(problem, found, point, options.evaluate)) is not None:
+        return told
+    if (told := where_real(problem, found, point)) is not None:
         return told
     region = region_of(problem, found, point)
     r_max, r_min = final_distance(problem, region.largest[-1]), final_distance(problem, region.smallest[-1])

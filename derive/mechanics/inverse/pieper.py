@@ -85,7 +85,7 @@ def _by_frame(stage: Stage) -> Iterator[list[Difference]]:
             yield each
 
 
-def _goal(stage: Stage) -> frozenset[str]:
+def goal_names(stage: Stage) -> frozenset[str]:
     """The names of the coordinates that are known: what stands left in the base."""
     return frozenset(
         name
@@ -97,7 +97,7 @@ def _goal(stage: Stage) -> frozenset[str]:
 
 def _sides(stage: Stage, one: Difference) -> Coordinate:
     """What is known of the point on the one side, the lengths of the arm on the other."""
-    found = split(one.equation, one.value, _goal(stage))
+    found = split(one.equation, one.value, goal_names(stage))
     return Coordinate(one.equation, -found.unknown, -found.known)
 
 

@@ -33,6 +33,7 @@ from derive.mechanics.inverse.paul import (
 from derive.mechanics.inverse.pieper import quartic
 from derive.mechanics.inverse.search import Stage
 from derive.mechanics.inverse.subproblems import Elbow, Quartic, SubProblem, equations_of
+from derive.mechanics.inverse.two_slides import two_slides
 from derive.mechanics.inverse.wrist import Spherical, spherical_shoulder, spherical_wrist
 from derive.mechanics.poses import inverse_pose, rotation_part
 
@@ -183,6 +184,7 @@ class Search:
                 used = {equation.place for each in steps for equation in equations_of(each.subproblem)}
                 found = stage.next(known, self.budget, used)
                 solved: Sequence[SubProblem] | None = (found,) if found else None
+                solved = solved or two_slides(stage, known)
                 solved = solved or doubled(stage, known, self.free_name("phi"))
                 solved = solved or quartic(stage, known, self.free_name("u"))
                 if solved is None:

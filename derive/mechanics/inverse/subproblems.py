@@ -145,6 +145,18 @@ class Slide:
 
 
 @dataclass(frozen=True, slots=True)
+class Quadratic:
+    """The squares of `coordinates` hold two displacements and no angle, the `height` gives one of them by the
+    other, linearly: put in, a d^2 + b d + c = 0 of the other, with these `coefficients`. The first may be
+    zero."""
+
+    unknown: str
+    height: Slide
+    coordinates: tuple[Equation, ...]
+    coefficients: tuple[Scalar, Scalar, Scalar]
+
+
+@dataclass(frozen=True, slots=True)
 class DoubleAngle:
     """The product of the `first` pair is `ratio` times that of the `second`: of the known sides, in an angle,
     as of the others. So a cos 2q + b sin 2q = c, with these `coefficients`; 2q is the unknown."""
@@ -165,7 +177,9 @@ class HalfAngle:
     double: str
 
 
-SubProblem: TypeAlias = OneEquation | TwoEquations | Elbow | Reach | Slide | Quartic | DoubleAngle | HalfAngle
+SubProblem: TypeAlias = (
+    OneEquation | TwoEquations | Elbow | Reach | Slide | Quadratic | Quartic | DoubleAngle | HalfAngle
+)
 
 
 def equations_of(found: SubProblem) -> tuple[Equation, ...]:
@@ -184,6 +198,9 @@ def equations_of(found: SubProblem) -> tuple[Equation, ...]:
             return parts if found.height in parts else (*parts, found.height)
         case Slide():
             return (found.equation,)
+        case Quadratic(height=height, coordinates=coordinates):
+            among = any(each.place == height.equation.place for each in coordinates)
+            return coordinates if among else (*coordinates, height.equation)
         case Elbow() | Reach():
             return tuple(each.equation for each in found.coordinates)
 

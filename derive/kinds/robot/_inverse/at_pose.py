@@ -25,6 +25,7 @@ from derive.mechanics.inverse.subproblems import (
     Elbow,
     HalfAngle,
     OneEquation,
+    Quadratic,
     Quartic,
     Reach,
     Slide,
@@ -68,14 +69,20 @@ class InNumbers:
                 return _length(self._numbers(row, known, 2)) < small
             case Slide(_, slope):
                 return abs(scalar_number(slope, known)) < small
+            case Quadratic(coefficients=(a, b, _)):
+                return not a and abs(scalar_number(b, known)) < small * self.size
             case DoubleAngle(coefficients=(a, b, _)):
                 return math.hypot(scalar_number(a, known), scalar_number(b, known)) < small * self.size**2
             case Reach() | Quartic() | HalfAngle():
                 return False
 
     def met(self, known: Values, meeting: float) -> float | None:
-        """The one angle where two solutions meet."""
+        """The one value where two solutions meet."""
         match self.planned.subproblem:
+            case Quadratic(coefficients=coefficients):
+                a, b, c = (scalar_number(each, known) for each in coefficients)
+                near = a and abs(b * b - 4 * a * c) < meeting * (b * b + abs(4 * a * c))
+                return -b / (2 * a) if near else None
             case OneEquation(_, row):
                 a, b, c = self._numbers(row, known)
             case DoubleAngle(coefficients=coefficients):
@@ -91,7 +98,7 @@ class InNumbers:
 
     def by_others(self, known: Values) -> list[float] | None:
         """By any other equation that holds the unknown alone; None where none does."""
-        if isinstance(self.planned.subproblem, Slide | Reach):
+        if isinstance(self.planned.subproblem, Slide | Reach | Quadratic):
             pairs = [(scalar_number(s.slope, known), scalar_number(s.value, known)) for s in self._slides]
             slope, value = max(pairs, key=lambda pair: abs(pair[0]), default=(0.0, 0.0))
             return [value / slope] if abs(slope) > USABLE else None

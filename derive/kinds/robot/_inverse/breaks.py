@@ -33,7 +33,7 @@ def determined(solved: Solved, known: Values, rates: Values) -> Iterator[bool]:
         return
     sizes = [math.hypot(*swing) for swing in swings]
     match method.name:
-        case "direction" | "slide":
+        case "direction" | "slide" | "quadratic":
             yield all(any(close(each, size, SAME) for size in sizes) for each in told)
         case "determinant":
             (a, b), (c, d) = swings

@@ -52,7 +52,7 @@ class Method(Record):
     `exists` has to lie between -1 and 1; `bound` has to hold for a real solution; `form` is the equation that
     is solved, where no step has it; `half` is the angle of which the unknown is twice. `by_name` says that
     the angle is a given one, `by_length` that other elements give the size of the other function, `positive`
-    that only one of two lengths counts.
+    that only one of two lengths counts; `squared` which of the equations are, where not all.
     """
 
     name: str
@@ -66,6 +66,7 @@ class Method(Record):
     by_name: bool = False
     by_length: bool = False
     positive: bool = False
+    squared: Phrase | None = None
     quartic: Polynomial | None = None
 
     @property

@@ -98,16 +98,22 @@ def reach(solving: Solving, found: Reach) -> None:
 def slide(solving: Solving, found: Slide) -> None:
     """slope d = value."""
     progress, d = solving.progress, Symbol(found.unknown)
-    fixed = not any(not name.startswith("sqrt(") for name in found.slope.generators())
-    amount = found.value / found.slope if fixed else found.value
-    slope = ONE if fixed else solving.short(found.slope)
     shown = progress.tree(found.equation.left), progress.tree(found.equation.right)
-    result = over(ordered(put_in(progress.tree(amount), progress.by_name)), slope)
+    result, slope = slid(solving, found)
     if d not in shown or result not in shown:
         solving.equation(shown)
     else:
         solving.equations.append(shown)
     solving.solved(d, [Choice(result)], Method(name="slide", unless=progress.may_vanish(slope)))
+
+
+def slid(solving: Solving, found: Slide) -> tuple[Expr, Expr]:
+    """The displacement, and by what it is divided."""
+    progress = solving.progress
+    fixed = not any(not name.startswith("sqrt(") for name in found.slope.generators())
+    amount = found.value / found.slope if fixed else found.value
+    slope = ONE if fixed else solving.short(found.slope)
+    return over(ordered(put_in(progress.tree(amount), progress.by_name)), slope), slope
 
 
 def _known_sides(solving: Solving, coordinates: Iterable[Coordinate]) -> list[Expr]:

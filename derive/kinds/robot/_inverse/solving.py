@@ -37,6 +37,7 @@ BY_ROOT = (
     "squared",
     "choice",
 )
+BY_HEIGHT = ("equation", "squares", "aside", "name", "solved", "choice")
 BY_PRODUCT = ("equation", "squares", "name", "twice", "solved", "choice")
 BY_LENGTH = ("equation", "solved", "name", "choice")  # where the names are other elements
 
@@ -46,7 +47,8 @@ TWO = {  # by the rule, and whether other elements give the size of the other fu
 }  # fmt: skip
 OPEN = {
     "direction": "singular-if", "difference": "arbitrary-only-if", "zero": "arbitrary-if",
-    "determinant": "no-determinant", "slide": "no-slope", "cosine": "not-by-this-if",
+    "determinant": "no-determinant", "slide": "no-slope",
+    "quadratic": "no-slope", "cosine": "not-by-this-if",
     "sine": "not-by-this-if",
 }  # fmt: skip
 BY_A_SLIDE = ("direction", "cosine", "sine")  # a slide at zero may take the angle out of all that is known
@@ -143,7 +145,7 @@ class Solving:
         )
         number = len(progress.solved)
         order = BY_ROOT if method.quartic else BY_LENGTH if method.by_length else ORDER
-        order = BY_PRODUCT if method.half else order
+        order = BY_PRODUCT if method.half else BY_HEIGHT if method.name == "quadratic" else order
         steps = (*(step for rule in order for step in self.by(rule)), *left)
         solved = Solved(
             number, unknown, head, tuple(choices), steps, facts, self.poses.stage, trig or {},

@@ -11,7 +11,14 @@ from derive.derivation import Step
 from derive.expression import Matrix, Symbol, column, multiply, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL
-from derive.kinds.robot._inverse import doubled, lengths, one_equation, quartic, two_equations
+from derive.kinds.robot._inverse import (
+    doubled,
+    lengths,
+    one_equation,
+    quartic,
+    two_equations,
+    two_slides,
+)
 from derive.kinds.robot._inverse.compared import Poses
 from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.solving import Solving
@@ -27,6 +34,7 @@ from derive.mechanics.inverse.subproblems import (
     Elbow,
     HalfAngle,
     OneEquation,
+    Quadratic,
     Quartic,
     Reach,
     Slide,
@@ -161,6 +169,8 @@ def write(solving: Solving, stage: Stage) -> None:
             lengths.reach(solving, found)
         case Slide() as found:
             lengths.slide(solving, found)
+        case Quadratic() as found:
+            two_slides.write(solving, found)
         case DoubleAngle() as found:
             doubled.double(solving, found)
         case HalfAngle() as found:

@@ -56,6 +56,12 @@ class Pointing(Record):
     said: Phrase
 
 
+class WhereReal(Record):
+    """Of an arm that reaches what its inverse has a solution for: whether that rests on a root."""
+
+    root: bool
+
+
 class Facts(PageFacts):
     """Of what is reached at all, or, in its place, `dexterous`."""
 
@@ -77,3 +83,4 @@ class Facts(PageFacts):
     sphere: OnASphere | None = None
     plane: InPlane | None = None
     pointing: Pointing | None = None
+    real: WhereReal | None = None
