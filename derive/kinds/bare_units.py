@@ -19,10 +19,11 @@ TREES = get_args(Expr)
 
 
 def bare_units(problem: Problem) -> frozenset[str]:
-    """Meters where lengths of an arm, of frames, of measured points or of a path were typed in them, seconds
-    where times of a path were."""
+    """Meters where lengths of an arm, of frames, of measured points or of a path were typed in them,
+    kilograms where masses of an arm were, seconds where times of a path were."""
     if isinstance(problem.subject, Robot):
-        return frozenset(filter(None, (unit_of_lengths(problem),)))
+        weighed = any(unit.startswith("kg") for unit in _units(problem.subject))
+        return frozenset(filter(None, (unit_of_lengths(problem), "kg" if weighed else "")))
     if isinstance(problem.subject, Path):
         return meters_and_seconds((problem.subject, *problem.where.values()))
     if isinstance(problem.subject, PointPairs | Frames):

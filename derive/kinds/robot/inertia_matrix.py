@@ -54,6 +54,7 @@ class Facts(PageFacts):
     big: bool
     drifts: Phrase | None
     alone: tuple[Symbol, ...]  # the Jacobian of a single center of mass, and its two parts
+    followed: bool  # a joint comes after a center of mass
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -101,6 +102,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         big=big,
         drifts=Phrase("drifts") if any(body.at.drift for body in bodies) else None,
         alone=_jacobians(heavy[0].i) if len(heavy) == 1 and not big else (),
+        followed=any(link.variable for link in robot.links[min(body.i for body in heavy) :]),
         numbers=("D",),
     )
     return work.answer("inertia-matrix", results, facts, matrices=frozenset(results), unread=LINKS_ALONE)

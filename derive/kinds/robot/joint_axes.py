@@ -109,7 +109,7 @@ def _lying(robot: Robot, i: int, letter: str) -> Phrase:
     """Where the axis of a joint lies that is that of no frame."""
     about: dict[str, Said] = {"joint": i, "k": Symbol(f"k_{i}"), "p": Symbol(f"p_{i}")}
     if not letter:
-        return Phrase("axis-beside", about)
+        return Phrase("axis-beside" if i > 1 else "axis-beside-base", about)
     sort = "axis-slides" if robot.links[i - 1].joint == "prismatic" else "axis-turns"
     return Phrase(sort, {**about, "letter": Symbol(letter), "frame": i - 1})
 

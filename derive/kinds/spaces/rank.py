@@ -74,7 +74,8 @@ class Facts(PageFacts):
     place: tuple[tuple[Expr, Expr], ...]
     rows: tuple[Symbol, ...]
     velocities: Phrase  # what the rows are
-    wrenches: Phrase  # what acts along them
+    wrenches: Phrase | None = None  # what acts along them, that the structure carries
+    acting: Phrase | None = None  # one of these
     rank: int
     nullity: int  # of J
     spare: int  # of its transpose
@@ -84,8 +85,9 @@ class Facts(PageFacts):
     just: bool = False  # there it is lower by one
     J: Symbol
     empty: tuple[bool, bool, bool]  # null space, range, left null space
+    divided: bool  # the columns of the range, by common factors
     judged: str = ""  # "feasible", "feasible-where", "infeasible"
-    left: Symbol | None = None  # the basis to which it is not perpendicular
+    left: Symbol | None = None  # the basis to which it is perpendicular, or not
     conditions: tuple[Expr, ...] = ()  # vanish where it is feasible
     free: tuple[Symbol, ...] = ()
     wrench: str = ""  # "carried", "torques"
@@ -109,14 +111,15 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
     lower = falls(found, spaces.rank, _nonzero(found)) if leads else None
     if lower:
         work = work.claim(route("rank-falls", seen(found, lower, spaces.rank, _places(found))))
-    velocities, wrenches = nouns(found)
-    work = work.claim(route("nouns", nouns_hold(found, velocities, wrenches)))
+    velocities, wrenches, acting = nouns(found)
+    work = work.claim(route("nouns", nouns_hold(found, velocities, wrenches, acting)))
     facts = Facts(
         sort=found.sort,
         place=tuple((Symbol(name), value) for name, value in found.place),
         rows=found.velocities if found.sort == "rows" else (),
         velocities=velocities,
-        wrenches=wrenches,
+        wrenches=wrenches if spaces.left else None,
+        acting=acting if options.wrench or not spaces.left else None,
         rank=spaces.rank,
         nullity=len(spaces.null),
         spare=len(spaces.left),
@@ -126,6 +129,7 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
         just=bool(lower and lower.just),
         J=found.name,
         empty=(not spaces.null, not spaces.range, not spaces.left),
+        divided=spaces.range != tuple(map(found.J.columns, spaces.pivots)),
     )
     if options.velocity is not None:
         work, facts, told = _judged(work, found, spaces, options.velocity, facts)
@@ -212,6 +216,7 @@ def _spans(work: Work, found: LinearMap, spaces: Span, names: Sequence[Symbol], 
     yield close(J @ null, np.zeros((m, null.shape[1])), SMALL)
     yield close(J.T @ left, np.zeros((n, left.shape[1])), SMALL)
     yield not image.shape[1] or _rank(np.hstack([J, image])) == spaces.rank == _rank(image)
+    yield all(_rank(np.column_stack([J[:, j], image[:, k]])) == 1 for k, j in enumerate(spaces.pivots))
     yield all(not basis.shape[1] or _rank(basis) == basis.shape[1] for basis in (null, left))
 
 
@@ -279,18 +284,17 @@ def _judged(
         return work.claim(route("no-rates", missed)), told, {"feasible": answer}
     letter = free(problem.taken, "k", "kappa", indices=[f"_{i}" for i in range(1, 7)])
     free_ones = tuple(Symbol(f"{letter}_{i}") for i, _ in enumerate(spaces.null, 1))
-    own = [
-        multiply(k, problem.readable_matrix(basis)) for k, basis in zip(free_ones, spaces.null, strict=True)
-    ]
+    own = [multiply(k, problem.readable_matrix(each)) for k, each in zip(free_ones, spaces.null, strict=True)]
     whole = x
-    for k, basis in zip(free_ones, spaces.null, strict=True):
-        whole = whole + basis.scaled(Scalar.symbol(k.name))
+    for k, each in zip(free_ones, spaces.null, strict=True):
+        whole = whole + each.scaled(Scalar.symbol(k.name))
     work = work.line(RATES, add(problem.readable_matrix(x), *own), value=whole, rule="all-rates")
     met = (
         close(found.numbers(at) @ arrays(work[RATES], at), arrays(typed, at), SMALL)
         for at in islice(_places(found, *given, *free_ones), POINTS)
     )
-    told = replace(facts, judged="feasible", free=free_ones)
+    basis = _names(problem)[-1] if spaces.left else None
+    told = replace(facts, judged="feasible", free=free_ones, left=basis)
     return work.claim(route("velocity-met", met)), told, {"feasible": True, "qdot": work[RATES]}
 
 

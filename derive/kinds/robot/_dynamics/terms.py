@@ -12,7 +12,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.rationals import as_fraction
 from derive.algebra.readable.form import common_factor, readable
-from derive.algebra.readable.terms import Style
+from derive.algebra.readable.terms import Style, terminates
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, Step
 from derive.expression import ZERO, Expr, Number, Product, Symbol, add, multiply, number, terms_of
@@ -129,12 +129,14 @@ def _gravity(weight: Derivation, k: int) -> list[Term]:
 
 
 def _product(value: Expr, factors: tuple[Expr, ...]) -> Expr:
-    """Numbers gathered in front: 2 * (-1/2 m L) * x is -m L x."""
+    """Numbers gathered in front: 2 * (-1/2 m L) * x is -m L x; decimals stay decimals."""
     parts = [
         part
         for expr in (value, *factors)
         for part in (expr.factors if isinstance(expr, Product) else (expr,))
     ]
-    numbers = [part.value for part in parts if isinstance(part, Number)]
+    numbers = [part for part in parts if isinstance(part, Number)]
     rest = [part for part in parts if not isinstance(part, Number)]
-    return multiply(Number(prod(numbers, start=Fraction(1))), *rest)
+    size = prod((part.value for part in numbers), start=Fraction(1))
+    decimal = any(part.decimal for part in numbers) and terminates(size)
+    return multiply(Number(size, decimal), *rest)

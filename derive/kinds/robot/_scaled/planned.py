@@ -93,12 +93,12 @@ def _at_rest(problem: Problem, law: Law, start: Place, end: Place, time: Expr) -
     T = named("T", time, letters)
     variables = problem.subject.variables
     first, last = (_place(each, key, variables) for each, key in ((start, "from"), (end, "to")))
-    q_s, q_f, *names = (
-        Symbol(free(letters, each, f"{each}_e")) for each in ("q_s", "q_f", "q", "q_dot", "q_ddot")
+    q_0, q_f, *names = (
+        Symbol(free(letters, each, f"{each}_e")) for each in ("q_0", "q_f", "q", "q_dot", "q_ddot")
     )
     s, *rates = shares = tuple(Symbol(free(letters, each, f"{each}_e")) for each in ("s", "s_dot", "s_ddot"))
-    way = q_f - q_s
-    formulas = (q_s + multiply(s, way), *(multiply(each, way) for each in rates))
+    way = q_f - q_0
+    formulas = (q_0 + multiply(s, way), *(multiply(each, way) for each in rates))
     laws = [polynomial(law, time, order) for order in range(3)]
     ways = [b - a for a, b in zip(first, last, strict=True)]
     by_time = (
@@ -110,7 +110,7 @@ def _at_rest(problem: Problem, law: Law, start: Place, end: Place, time: Expr) -
         time,
         T,
         law,
-        ((q_s, column(first)), (q_f, column(last)), *(() if time == T else ((T, time),))),
+        ((q_0, column(first)), (q_f, column(last)), *(() if time == T else ((T, time),))),
         tuple(
             Step(name.name, (name, polynomial(law, T, order)), "in-numbers")
             for order, name in enumerate(shares)

@@ -23,7 +23,7 @@ from derive.names import free
 class Turn(Record):
     """One step: the names of what is held and of the columns that are left, but in the first; the joints
     beyond their limits, the one that is held from then on and at what value, and the share of the task at
-    which it reaches that."""
+    which it reaches that, none where no share keeps all within their limits."""
 
     held: Symbol | None
     B: Symbol | None
@@ -103,7 +103,8 @@ def _turn(given: Given, board: Board, k: int, turn: Round, again: _Again) -> tup
     share: Expr | None = None
     if turn.joint is not None:
         board, limit = board.saying(turn.limit, again.limit(turn.joint, k))
-        board, share = board.saying(turn.share, lambda seen: again.largest(seen, k - 1))
+        board, largest = board.saying(turn.share, lambda seen: again.largest(seen, k - 1))
+        share = largest if turn.share else None
     told = Turn(
         held=held,
         B=None if held is None else B,
