@@ -19,6 +19,7 @@ LENGTHS, TURNED, SLID = (1.0, 0.8, 0.65, 0.5), (0.61, 1.0, 0.45, 0.8), 1.25
 SIZE = 0.09  # of the whole: a mass, twice
 HIGH = 165.0  # points
 SHARES = 24
+ROUND = 72  # pieces of a circle
 NEAR = 1e-9
 BENT = Symbol("bent")  # stands for an angle while its rod is turned
 Marked = tuple[list[Stroke], list[Caption]]
@@ -190,5 +191,5 @@ def gravity(system: LagrangianSystem, places: list[Place], point: Mapping[str, f
 
 
 def disc(at: Place, radius: float) -> tuple[Place, ...]:
-    """A circle."""
-    return tuple(around(at, radius, 2 * pi * k / SHARES) for k in range(SHARES))
+    """A circle, without corners that are seen."""
+    return tuple(around(at, radius, 2 * pi * k / ROUND) for k in range(ROUND))

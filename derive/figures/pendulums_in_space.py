@@ -50,7 +50,8 @@ def drawn(system: LagrangianSystem, where: Mapping[str, Expr]) -> Drawing:
     size = number(far, point)
     axes = [_axis(view, k, size) for k in range(3)]
     upright = [*_upright(view, at, size)]
-    arcs = [_angle(view, body.position, angle, point, size) for angle in angles]
+    bound = len(system.coordinates) == 1  # to a path, which is drawn
+    arcs = [_angle(view, body.position, angle, point, size, bound) for angle in angles]
     mass = Stroke(_disc(view, at, SIZE * size), "pin")
     rod = Stroke((view.place((0.0, 0.0, 0.0)), view.place(at)), "edge")
     middle = view.place(along((0.0, 0.0, 0.0), (0.6, at)))
@@ -122,10 +123,15 @@ def _distance(position: tuple[Expr, ...], angles: list[Expr], point: Mapping[str
 
 
 def _angle(
-    view: View, position: tuple[Expr, ...], angle: Expr, point: Mapping[str, float], size: float
+    view: View,
+    position: tuple[Expr, ...],
+    angle: Expr,
+    point: Mapping[str, float],
+    size: float,
+    bound: bool,
 ) -> Marked:
     """An arc from where an angle is zero: in the level plane where it turns about the vertical, with the path
-    of the mass where it does not."""
+    of a mass that is `bound` to one where it does not."""
     moved = tuple(replace(part, {angle: BENT}) for part in position)
     value = number(angle, point)
 
@@ -139,7 +145,7 @@ def _angle(
     middle = arc[SHARES // 2]
     zero = (view.place((0.0, 0.0, 0.0)), view.place(along((0.0, 0.0, 0.0), (1.0, a))))
     lines = [Stroke(zero, "hidden"), Stroke(arc, "arc")]
-    if not about_z:
+    if bound and not about_z:
         path = tuple(view.place(turned(2 * pi * k / PATH)) for k in range(PATH + 1))
         lines.append(Stroke(path, "hidden"))
     return lines, [Caption(middle, angle, middle, "angle")]

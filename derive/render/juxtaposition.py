@@ -8,6 +8,7 @@ from derive.expression import Call, Expr, Indexed, Number, Power, Symbol
 from derive.render.notation import Notation
 from derive.render.trig import SHORT, is_written_out, short_index
 
+WORDS = ("atan2", "adj", "sign")  # functions that are upright words, which TeX sets no room before
 NUMERIC = re.compile(r"-?\\frac\{\d+\}\{\d+\}")
 
 
@@ -36,8 +37,10 @@ def is_letter(factor: Expr | None = None) -> bool:
 
 def need_room(before: Expr, after: Expr, notation: Notation) -> bool:
     """Whether two factors side by side look like something else: `cos theta` and what is no part of its
-    angle, two upright words, L c_2 beside L_c."""
+    angle, two upright words, L c_2 beside L_c, the word of a function behind what it is multiplied by."""
     match before, after:
+        case (_, Call(function)) if function in WORDS:
+            return True
         case (Symbol(letter), Call(function, (angle,))) if letter in notation.alike and function in SHORT:
             return bool(short_index(angle, notation))
         case (Indexed(base), Indexed(other)):

@@ -17,13 +17,21 @@ def tests_of(variables: int, constraints: int, found: Sequence[Point]) -> tuple[
     if not any(point.minors for point in found):
         return ()
     count, odd = variables - constraints, constraints % 2 == 1
+    minors = minors_of(variables, constraints)
     if not constraints:
         det = Relation(Call("det", (HESSIAN,)), "!=", ZERO)
-        return Phrase("by-the-hessian"), Phrase("minors", {"det": det}) if count > 1 else Phrase("curvature")
+        by_minors = Phrase("minors", {"det": det, "minors": minors})
+        return Phrase("by-the-hessian"), by_minors if count > 1 else Phrase("curvature")
     border = Phrase("by-the-border-of-one" if constraints == 1 else "by-the-border")
     if count == 1:
         return border, Phrase("odd-determinant" if odd else "even-determinant")
-    return border, Phrase("odd-minors" if odd else "even-minors", {"count": count})
+    return border, Phrase("odd-minors" if odd else "even-minors", {"count": count, "minors": minors})
+
+
+def minors_of(variables: int, constraints: int) -> tuple[Expr, ...]:
+    """What the minors are called by which maxima and minima are told: the only one is the determinant."""
+    sizes = range(2 * constraints + 1, constraints + variables + 1)
+    return (Call("det", (HESSIAN,)),) if len(sizes) == 1 else tuple(Symbol(f"D_{size}") for size in sizes)
 
 
 def flat_test(found: Sequence[Point], constrained: bool) -> Phrase | None:

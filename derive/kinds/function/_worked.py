@@ -26,7 +26,7 @@ from derive.kinds.function._newton import NEAR, stationary
 from derive.kinds.function._point_checks import PointsTold
 from derive.kinds.function._stationary import Point, Task, bordered_hessian, is_flat_saddle, patterns, points
 from derive.kinds.function._telling import CaseTold, divided_by, is_enclosed, told
-from derive.kinds.function._verdicts import HESSIAN, flat_test, reached, tests_of
+from derive.kinds.function._verdicts import HESSIAN, flat_test, minors_of, reached, tests_of
 from derive.kinds.function._writing import written
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -205,15 +205,13 @@ def _branch(point: Point, when: tuple[Condition, ...], name: Symbol, task: Task,
 def _table(
     found: Sequence[Point], said: Sequence[tuple[Condition, ...]], name: Symbol, task: Task, problem: Problem
 ) -> Table:
-    m, n = len(task.g), len(task.variables)
-    sizes = range(2 * m + 1, m + n + 1)
-    minors = [Call("det", (HESSIAN,))] if len(sizes) == 1 else [Symbol(f"D_{size}") for size in sizes]
+    minors = minors_of(len(task.variables), len(task.g))
     headings = (*map(Symbol, (*task.variables, *task.multipliers)), name, *minors, "")
     rows = []
     for point, when in zip(found, said, strict=True):
         branch = _branch(point, when, name, task, problem).values
         known = [branch.get(each, Phrase("none")) for each in (*task.variables, *task.multipliers, name.name)]
-        signs: list[Expr | str] = [written(minor, problem) for minor in point.minors] or [""] * len(sizes)
+        signs: list[Expr | str] = [written(minor, problem) for minor in point.minors] or [""] * len(minors)
         rows.append((*known, *signs, when))
     return Table(headings, tuple(rows))
 
