@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import product
 from typing import Any, TypeAlias
 
@@ -26,6 +27,7 @@ Marked: TypeAlias = tuple[list[Stroke], list[Caption]]
 def body_names(robot: Robot, view: View, posed: Posed, size: float) -> Iterator[Marked]:
     """The lengths of bodies that are no length of the arm, and masses where no center of mass is marked."""
     told = {part.by for part in posed.parts}
+    sides_of = _of_boxes(robot, view, posed, size, told)
     for k, body in bodies_of(robot):
         at, T, point = com_place(body, posed, k), posed.poses[k], posed.values
         place = view.place(at)
@@ -51,8 +53,8 @@ def body_names(robot: Robot, view: View, posed: Posed, size: float) -> Iterator[
                 end = max(solids.circle(view, top, *across(way), number(radius, point)))
                 spoke = Stroke((view.place(top), end), "thin")
                 yield [spoke], [Caption(end, radius, (1.0, 0.2), "length")]
-            case Box(sides):
-                yield [], [*_sides(view, at, T, sides, sizes_of(posed, *sides), told)]
+            case Box():
+                yield [], sides_of[k]
 
 
 def _mass_at(robot: Robot, at: Vector, posed: Posed) -> Expr:
@@ -63,6 +65,31 @@ def _mass_at(robot: Robot, at: Vector, posed: Posed) -> Expr:
     return add(
         *(body.mass for body, place in bodies if body.mass != ZERO and length_between(at, place) < NEAR)
     )
+
+
+def _of_boxes(
+    robot: Robot, view: View, posed: Posed, size: float, told: set[Expr]
+) -> dict[int, list[Caption]]:
+    """The sides of each box, by its link. What stands at a joint, whose size it would seem to be, is left out
+    where a box with this side has a free end."""
+    joints = [view.place(joint.at) for joint in posed.joints]
+
+    def at_free_ends(caption: Caption) -> Caption | None:
+        spots = [(caption.at, caption.towards), *caption.others]
+        free = [spot for spot in spots if all(length(_way(joint, spot[0])) > size for joint in joints)]
+        return replace(caption, at=free[0][0], towards=free[0][1], others=tuple(free[1:])) if free else None
+
+    pairs: dict[int, list[tuple[Caption, Caption | None]]] = {}
+    for k, body in bodies_of(robot):
+        if isinstance(body.inertia, Box):
+            at, sides = com_place(body, posed, k), body.inertia.sides
+            names = _sides(view, at, posed.poses[k], sides, sizes_of(posed, *sides), told)
+            pairs[k] = [(name, at_free_ends(name)) for name in names]
+    told_free = {name.text for names in pairs.values() for name, free in names if free}
+    return {
+        k: [free or name for name, free in names if free or name.text not in told_free]
+        for k, names in pairs.items()
+    }
 
 
 def _sides(
