@@ -51,6 +51,7 @@ OPEN = {
     "quadratic": "no-slope", "cosine": "not-by-this-if",
     "sine": "not-by-this-if",
 }  # fmt: skip
+NEVER_ZERO = ("positive", "nonzero")  # what a sheet may take a symbol to be
 BY_A_SLIDE = ("direction", "cosine", "sine")  # a slide at zero may take the angle out of all that is known
 ALL_TOGETHER = ("difference", "zero")  # what must not vanish, must not all at once
 
@@ -188,7 +189,9 @@ class Solving:
         return () if method.name in ALL_TOGETHER and len(found) < len(method.unless) else found
 
     def _may_hold(self, zero: Relation) -> bool:
-        """Whether something may vanish; numbers may keep sines and cosines from it."""
+        """Whether something may vanish; numbers may keep sines and cosines from it, and a sign a length."""
+        if isinstance(zero.left, Symbol) and self.problem.assumptions.get(zero.left.name) in NEVER_ZERO:
+            return False
         variables = tuple(self.problem.subject.variables)
         value = None if isinstance(zero.left, Relation) else normal(zero.left)
         return value is None or not (value.letters() <= {*variables} and never_zero(value, variables))

@@ -17,10 +17,9 @@ from derive.kinds.robot._reach.turning_about import TurningAbout
 from derive.kinds.work import Work
 from derive.names import free
 
+EMPTY = ("two-orientations", "no-wrist", "no-joint-left", "no-freedom-left", "too-few-joints", "never-turned")
 NEVER = {  # no position has every orientation
-    **dict.fromkeys(
-        ("two-orientations", "no-wrist", "no-joint-left", "too-few-joints", "never-turned"), "empty"
-    ),
+    **dict.fromkeys(EMPTY, "empty"),
     "the-base-alone": "the-base",
     "two-orientations-or-the-base": "empty-or-the-base",
 }

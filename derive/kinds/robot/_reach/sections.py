@@ -63,7 +63,7 @@ def orientations_in_space(chain: Chain, point: Tracked, moving: Sequence[int]) -
     spare = tuple(i for i, _ in chain.moving if i not in moving and i <= point.last)
     if turns_freely(chain, moving, spare, False):
         return Phrase("both-the-same-by-one" if len(spare) == 1 else "both-the-same", {"spare": spare})
-    return Phrase("too-few-joints" if spare else "no-joint-left")
+    return Phrase("too-few-joints" if spare else "no-freedom-left")
 
 
 def seen_in_numbers(

@@ -77,7 +77,15 @@ def orientations_told(
         return _missing(spare, len(region.lengths) > 2)
     if len(region.lengths) > 2:
         return Phrase("no-wrist" if spare else "too-few-joints")
-    return Phrase("no-wrist" if spare else "no-joint-left")
+    return _no_more(spare, region.kind == "planar")
+
+
+def _no_more(spare: tuple[int, ...], planar: bool) -> Phrase:
+    """Why it does not turn as one likes where three joints at most move the point: in space all three would
+    have to leave it where it is."""
+    if spare:
+        return Phrase("no-wrist")
+    return Phrase("no-joint-left" if planar else "no-freedom-left")
 
 
 def _missing(spare: tuple[int, ...], idle: bool) -> Phrase:
@@ -103,5 +111,5 @@ def shape_orientations(shape: Shape, spare: tuple[int, ...], free: bool, planar:
     if len(shape.rows) <= (2 + bool(shape.lift) if planar else 3):
         if spare and not planar:
             return _missing(spare, idle=False)
-        return Phrase("no-wrist" if spare else "no-joint-left")
+        return _no_more(spare, planar)
     return Phrase("orientations-open")

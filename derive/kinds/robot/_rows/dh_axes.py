@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import completed, number
 from derive.derivation import Phrase, Said
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Measured, Number, Symbol, is_negative
 from derive.kinds.checks import close, random_points
 from derive.kinds.fields import TREES
 from derive.kinds.problem import Problem
@@ -26,6 +26,10 @@ KEYS = {  # by whether the axes are parallel, point the other way, and have a di
     (True, False, False): "axis-on", (True, True, False): "axis-on-against",
     (True, False, True): "axis-parallel", (True, True, True): "axis-against",
     (False, False, False): "axis-meets", (False, False, True): "axis-apart",
+}  # fmt: skip
+BACK = {  # the same where the distance leads against x
+    "axis-parallel": "axis-parallel-back", "axis-against": "axis-against-back",
+    "axis-apart": "axis-apart-back",
 }  # fmt: skip
 
 
@@ -45,11 +49,17 @@ def _told(i: int, row: DHRow, turn: float, apart: bool, convention: Convention) 
     about: dict[str, Said] = {"i": i, "a": Symbol(f"z_{i - 1}"), "b": Symbol(f"z_{i}")}
     if not parallel or against:
         about["angle"] = row.alpha
+    back = is_negative(row.a)
     if apart:
-        about["length"] = row.a
+        about["length"] = _in_its_unit(-row.a if back else row.a)
     if apart or not parallel:
         about["x"] = Symbol(f"x_{i if convention == 'standard' else i - 1}")
-    return Phrase(KEYS[parallel, against, apart], about)
+    key = KEYS[parallel, against, apart]
+    return Phrase(BACK[key] if back else key, about)
+
+
+def _in_its_unit(length: Expr) -> Expr:
+    return Measured(length, length.unit) if isinstance(length, Number) and length.unit else length
 
 
 def _value(tree: Expr, where: Mapping[str, Expr]) -> float | None:
@@ -81,11 +91,13 @@ def _lies(told: Phrase, before: Array, here: Array, x: Array, value: Any) -> boo
     parallel, against = bool(np.abs(np.cross(a, b)).max() < NONE), float(a @ b) < 0
     distance = float(apart @ x)
     meet = abs(float(apart @ x)) < NONE
+    key = KEYS[parallel, parallel and against, not meet]
+    back = told.key == BACK.get(key)
     return (
         close(turned, b)
         and abs(float(a @ x)) < NONE
-        and close(value(length) if isinstance(length, TREES) else 0.0, distance)
-        and told.key == KEYS[parallel, parallel and against, not meet]
+        and close(value(length) if isinstance(length, TREES) else 0.0, -distance if back else distance)
+        and (back or told.key == key)
     )
 
 
