@@ -253,7 +253,8 @@ def test_one_condition_for_one_region(tmp_path: Path) -> None:
     (document,) = derive_all([load_sheet(tmp_path / "sheet.yaml")], True, lambda _: None)
     page = render(document, "md")
     assert page.count("real where") == 1
-    assert r"Otherwise they are real where $x^2 + y^2 \geq d_2^2$" in page
+    assert r"They are real where $x^2 + y^2 \geq d_2^2$" in page
+    assert "arbitrary" not in page  # which it would be where d_3 is zero
 
 
 def test_what_cannot_vanish_is_no_condition(tmp_path: Path) -> None:
