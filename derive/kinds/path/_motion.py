@@ -10,7 +10,7 @@ from typing import Any
 from derive.algebra.formulas.with_units import measured
 from derive.derivation import Phrase, Record, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Relation, Symbol, free_symbols
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
 from derive.kinds.path._frenet import Bent
@@ -33,6 +33,7 @@ class Motion(Record):
     """How the parameter goes in time."""
 
     said: Phrase
+    test: Phrase | None  # whether there is time at the greatest velocity
     given: tuple[tuple[Expr, Expr], ...]
     sizes: tuple[str, ...]  # steps
     pieces: tuple[PieceTold, ...]
@@ -78,6 +79,7 @@ class Moved:
         given = ((name, self.work[name]) for name in self.time.given.values())
         return Motion(
             said=_law_told(self.time, self.found),
+            test=_test_told(self.time),
             given=tuple((name, measured(value)) for name, value in given if value != name),
             sizes=self.time.lines,
             pieces=tuple(
@@ -122,6 +124,15 @@ def _law_told(time: Timed, found: Bent) -> Phrase:
     return Phrase("by-trapezoid" if time.reached else "by-triangle", about)
 
 
+def _test_told(time: Timed) -> Phrase | None:
+    """What both ramps cover beside the way."""
+    if time.ramps is None:
+        return None
+    value = time.work.readable(time.work.scalar(time.ramps))
+    ramps = time.ramps if free_symbols(value) else Relation(time.ramps, "=", value)
+    return Phrase("ramps-fit" if time.reached else "ramps-too-long", {"ramps": ramps, "way": time.way})
+
+
 def _when(time: Timed, k: int) -> Phrase | None:
     """What is done in a piece of time."""
     when = {"when": time.pieces[k].when}
@@ -142,6 +153,9 @@ def _said(motion: Motion, time: Timed, found: Bent) -> Iterator[bool]:
         else:
             keys = {1: "speeds-up", -1: "slows-down", 0: "goes-evenly", None: told_as.said.key}
             yield told_as.said.key == keys[time.work.sign(change)]
+    if motion.test is not None and time.ramps is not None:
+        fits = time.work.sign(time.way - time.ramps) == 1
+        yield motion.test.key == ("ramps-fit" if fits else "ramps-too-long")
     yield motion.said.key.endswith("-of-s") == (
         time.law == "trapezoidal" and not found.work.problem.subject.along
     )

@@ -58,6 +58,8 @@ class Timed:
     given: dict[str, Symbol] = field(default_factory=dict)
     lines: tuple[str, ...] = ()
     reached: bool = True  # whether it goes on at the greatest velocity
+    ramps: Expr | None = None  # what both ramps cover, where that is to be compared
+    way: Expr = ONE  # with this
 
 
 def timed(timing: Timing, found: Bent, work: Work) -> Timed:
@@ -107,10 +109,11 @@ def _trapezoid(
     T_f = given.get("time") or Symbol(free(work.problem.taken, "t_f", "t_e"))
     strong: Expr = given.get("a_max", A)
     before = len(work.steps)
-    reached = True
+    reached, ramps = True, None
     if timing.time is None:
         v, a = given["v_max"], given["a_max"]
-        room = work.sign(L - v**2 / a)
+        ramps = v**2 / a
+        room = work.sign(L - ramps)
         if room is None:
             raise NotDerivable(OPEN)
         reached = room > 0
@@ -138,7 +141,7 @@ def _trapezoid(
     )
     lines = tuple(step.name for step in work.steps[before:])
     whole = _in_one(rate, T_2 if reached else T_1, low)
-    return Timed(work, timing.law, names, T_f, pieces, whole, given, lines, reached)
+    return Timed(work, timing.law, names, T_f, pieces, whole, given, lines, reached, ramps, L)
 
 
 def _laws(rate: Expr, T_f: Symbol, low: Expr, plateau: bool) -> list[tuple[Expr, Expr, Expr]]:

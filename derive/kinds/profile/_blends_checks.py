@@ -172,7 +172,9 @@ class Blends:
         numbers: list[float] = []
         said = told.about["chain"]
         while isinstance(said, Relation):
-            yield said.sign == "<=" and isinstance(said.right, TREES)
+            lowest = not isinstance(said.left, Relation) and least is not None
+            yield said.sign == ("<" if lowest and self.given[0] == "v" else "<=")
+            yield isinstance(said.right, TREES)
             numbers.insert(0, value_of(said.right, {}) if isinstance(said.right, TREES) else inf)
             said = said.left
         numbers.insert(0, value_of(said, {}) if isinstance(said, TREES) else inf)

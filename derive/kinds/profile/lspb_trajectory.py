@@ -193,7 +193,8 @@ def _met(possible: Phrase | None, found: Blended) -> Phrase | None:
     if len(ends) < len(bounds):
         return None
     given, most = measured(value, unit), ends[-1] if "most" in possible.about else None
-    chain: Expr | Relation = given if "least" not in possible.about else Relation(ends[0], "<=", given)
+    least = "<" if found.by == "v" else "<="  # a velocity leaves time for blends
+    chain: Expr | Relation = given if "least" not in possible.about else Relation(ends[0], least, given)
     return Phrase("bounds-met", {"chain": chain if most is None else Relation(chain, "<=", most)})
 
 

@@ -32,7 +32,7 @@ def by_angles(course: Course) -> Way:
     names = tuple(course.name(*each) for each in CANDIDATES)
     euler = Euler(Convention.of(turned.convention), (names[0].name, names[1].name, names[2].name))
     a_s, a_f, u, R = (
-        course.name(*each) for each in (("a_s", "b_s"), ("a_f", "b_f"), ("u", "lambda"), ("R_b", "R_t"))
+        course.name(*each) for each in (("a_0", "b_0"), ("a_f", "b_f"), ("u", "lambda"), ("R_b", "R_t"))
     )
     shares, factors = course.shares(u), factors_of(euler)
     angles = column(names)

@@ -43,7 +43,7 @@ IDENTITY = Symbol("I")
 
 def about_one_axis(course: Course) -> Way:
     """Raises NotDerivable where nothing turns."""
-    R_s, R_f, between = (course.name(*each) for each in (("R_s", "R_i"), ("R_f", "R_e"), ("R", "R_d")))
+    R_s, R_f, between = (course.name(*each) for each in (("R_0", "R_i"), ("R_f", "R_e"), ("R", "R_d")))
     first, last = (course.rotation(end) for end in (course.turned.start, course.turned.end))
     D = first.T @ last
     half = is_half_turn(course, D)

@@ -36,7 +36,7 @@ def by_quaternions(course: Course) -> Way:
     R_s, R_f, q_s, q_f, half, u, q, k = (
         course.name(*each)
         for each in (
-            ("R_s", "R_i"), ("R_f", "R_e"), ("q_s", "h_s"), ("q_f", "h_f"), ("Omega", "beta"),
+            ("R_0", "R_i"), ("R_f", "R_e"), ("q_0", "h_0"), ("q_f", "h_f"), ("Omega", "beta"),
             ("u", "lambda"), ("q", "h"), ("k", "n"),
         )
     )  # fmt: skip
