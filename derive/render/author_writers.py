@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from markdown_it.tree import SyntaxTreeNode
 
 TEXTS = ("text", "text_special")
+PER_TIME = re.compile(r"(?<=[A-Za-z°])/(?=s\b)")  # of a unit, which no line ends within
 ADDRESSES = ("https://", "http://", "mailto:")
 
 
@@ -164,7 +165,7 @@ class TypstWriter(Writer):
     em, strong = ("#emph[", "];"), ("#strong[", "];")
 
     def text(self, text: str) -> str:
-        return typst_text(text)
+        return typst_text(PER_TIME.sub(r"/\N{WORD JOINER}", text))
 
     def code(self, code: str) -> str:
         return f"#raw({typst_string(code)});"

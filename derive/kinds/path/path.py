@@ -12,7 +12,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Derivation, PageFacts, Phrase, Record, Result
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Relation, Symbol
-from derive.kinds.bare_units import meters_and_seconds
+from derive.kinds.bare_units import bare_units, meters_and_seconds
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.meanings import as_told
 from derive.kinds.path._drawn import drawn
@@ -21,7 +21,7 @@ from derive.kinds.path._length import SIGMA, measured
 from derive.kinds.path._meanings import meant
 from derive.kinds.path._motion import Motion, in_motion
 from derive.kinds.path._shapes import along
-from derive.kinds.path._spline import SplineTold, splined
+from derive.kinds.path._spline import C, SplineTold, splined
 from derive.kinds.path._timing import T
 from derive.kinds.path._told import given_names, shape_told
 from derive.kinds.path._turning.course import Part
@@ -34,6 +34,7 @@ from derive.mechanics.paths import Curve, Path, Via
 TIMED = ("p", "v", "a", "curvature", "t", "n", "b", "s", "time")
 CLAIMED = dict.fromkeys(TIMED, "timed|all-conditions") | {"length": "all-conditions"}
 CLAIMED |= dict.fromkeys(("R", "angle", "axis", "q", "angles", "omega", "alpha"), "turns")
+UNITS: dict[Expr | Phrase, str] = dict(zip(C, ("m", "m/s", "m/s^2", "m/s^3"), strict=True))
 BENT = ("n", "b")  # what a path has only where it bends
 DIFFERENCES, STRAIGHT = 1e-6, 1e-9
 TANGENTS = {  # by whether s is the arc length, and whether the path is straight
@@ -136,7 +137,8 @@ def _through_points(path: Path, options: Options, problem: Problem) -> Derivatio
         spline=spline.told, pictures=tuple(each.name for each in pictures), page_names=spline.on_page,
         numbers=tuple(name for name in results if name not in BENT),
     )  # fmt: skip
-    answer = work.answer("path", results, facts, plots=pictures)
+    typed = {"m", "s"} <= bare_units(problem)
+    answer = work.answer("path", results, facts, plots=pictures, units=UNITS if typed else {})
     if options.evaluate is not None:
         _require_between(spline.shape, dict(options.evaluate), problem)
     return _where_bent(_evaluated(answer, options, problem), spline.shape, problem)

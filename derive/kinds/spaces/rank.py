@@ -85,7 +85,6 @@ class Facts(PageFacts):
     just: bool = False  # there it is lower by one
     J: Symbol
     empty: tuple[bool, bool, bool]  # null space, range, left null space
-    divided: bool  # the columns of the range, by common factors
     judged: str = ""  # "feasible", "feasible-where", "infeasible"
     left: Symbol | None = None  # the basis to which it is perpendicular, or not
     conditions: tuple[Expr, ...] = ()  # vanish where it is feasible
@@ -129,7 +128,6 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
         just=bool(lower and lower.just),
         J=found.name,
         empty=(not spaces.null, not spaces.range, not spaces.left),
-        divided=spaces.range != tuple(map(found.J.columns, spaces.pivots)),
     )
     if options.velocity is not None:
         work, facts, told = _judged(work, found, spaces, options.velocity, facts)

@@ -16,12 +16,15 @@ from derive.expression import (
     Approximate,
     Expr,
     Matrix,
+    Number,
     Symbol,
     column,
     free_symbols,
     multiply,
     squared,
+    walk,
 )
+from derive.figures.axes import axis as in_brackets
 from derive.figures.axes import short
 from derive.kinds.checks import route
 from derive.kinds.fields import Place
@@ -138,7 +141,7 @@ def along(path: JointPath, evaluate: Place | None, problem: Problem) -> Along:
         time,
         steps,
         told,
-        _picture(found, rates),
+        _picture(found, rates, path),
     )
 
 
@@ -261,9 +264,11 @@ def limits_told(reached: frozenset[Limit]) -> Phrase:
     return said[0] if len(said) == 1 else Phrase("binding", {"limits": said})
 
 
-def _picture(found: Fastest, rates: Sequence[Symbol]) -> Plot:
+def _picture(found: Fastest, rates: Sequence[Symbol], path: JointPath) -> Plot:
     """The rate over the parameter, and the greatest that the limits allow at each place."""
     s, s_dot, _ = rates
+    units = {node.unit for end in path.between for node in walk(end) if isinstance(node, Number)}
+    rate = f"{max(units, default='') or 1}/s"
     some = slice(None, None, 10)
     places = tuple(map(float, found.s[some]))
     ours = tuple(map(float, found.b[some] ** 0.5))
@@ -272,6 +277,6 @@ def _picture(found: Fastest, rates: Sequence[Symbol]) -> Plot:
     allowed: dict[Label, Any] = {Phrase("allowed"): (places, most)} if found.most.min() < top**2 else {}
     said = {"fast": short(max(ours)), "time": short(float(found.t[-1]))}
     return Plot(
-        "phase", s, s_dot, {Phrase("fastest"): (places, ours), **allowed},
+        "phase", s, in_brackets(s_dot, rate), {Phrase("fastest"): (places, ours), **allowed},
         caption=Phrase("drawn-phase"), alt=Phrase("seen-phase", {**said}),
     )  # fmt: skip
