@@ -165,7 +165,7 @@ class TypstWriter(Writer):
     em, strong = ("#emph[", "];"), ("#strong[", "];")
 
     def text(self, text: str) -> str:
-        return typst_text(PER_TIME.sub(r"/\N{WORD JOINER}", text))
+        return typst_text(PER_TIME.sub("/\N{WORD JOINER}", text))
 
     def code(self, code: str) -> str:
         return f"#raw({typst_string(code)});"
