@@ -29,7 +29,7 @@ CLAIMS = ("twists-in-space|twists-in-body", "differences")
 DIFFERENCES = 1e-6  # what central differences leave
 NOTHING, NO_BLOCK = Symbol("0"), Symbol("0_3x3")
 J_S, J_B, R_E, O_E = symbols("J_s J_b R_e o_e")
-S_O = Indexed("S", (O_E,))  # S_{o_e} p = o_e x p
+S_O = Indexed("P", (O_E,))  # P_{o_e} p = o_e x p
 ORIGIN = ScalarMatrix.zeros(3, 1)
 
 

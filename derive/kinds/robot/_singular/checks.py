@@ -16,8 +16,9 @@ from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Branch, Claim, Phrase, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Relation, Symbol
+from derive.expression import ONE, Expr, Symbol
 from derive.kinds.checks import close, random_points, route
+from derive.kinds.fields import TREES
 from derive.kinds.robot._singular.descent import fallen_to
 from derive.kinds.robot._singular.facts import CaseTold, SetTold
 from derive.kinds.robot._singular.minors import Way
@@ -249,13 +250,10 @@ def _spaces(numbers: InNumbers, each: Analysed, case: Case) -> Iterator[bool]:
 
 def _components(told: Phrase, here: Values) -> dict[str, float]:
     """Those of a motion that is told to be lost, by the names of the rows."""
-    said = told.about["components"]
+    names, values = told.about["names"], told.about.get("coefficients", (ONE,))
     found: dict[str, float] = {}
-    for each in said if isinstance(said, tuple) else ():
-        if (
-            isinstance(each, Relation)
-            and isinstance(each.left, Symbol)
-            and not isinstance(each.right, Relation)
-        ):
-            found[each.left.name] = float(arrays(each.right, here)) if each.sign == "=" else 0.0
+    if isinstance(names, tuple) and isinstance(values, tuple):
+        for name, value in zip(names, values, strict=True):
+            if isinstance(name, Symbol) and isinstance(value, TREES):
+                found[name.name] = float(arrays(value, here))
     return found

@@ -9,7 +9,7 @@ from typing import TypeAlias
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import PageFacts, Phrase, Record, Said
-from derive.expression import ZERO, Expr, Product, Relation, Symbol, add, free_symbols, multiply, transpose
+from derive.expression import ZERO, Expr, Product, Symbol, add, free_symbols, multiply, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._degrees import in_degrees
 from derive.kinds.robot._determinants import mostly_negative
@@ -219,8 +219,10 @@ def _missing(problem: Problem, rows: tuple[str, ...], u: ScalarMatrix) -> Phrase
     coefficients = [entry for (entry,) in written(problem, _positive(problem, u)).rows]
     pairs = [(row, c) for row, c in zip(rows, coefficients, strict=True) if c != ZERO]
     chosen = [(row, c) for row, c in pairs if row.startswith("v")] or pairs
-    components = tuple(Relation(Symbol(row), "=", c) for row, c in chosen)
-    return Phrase("motion-lost", {"components": components})
+    names, values = tuple(Symbol(row) for row, _ in chosen), tuple(c for _, c in chosen)
+    if len(chosen) == 1:
+        return Phrase("motion-lost-alone", {"names": names})
+    return Phrase("motion-lost", {"names": names, "coefficients": values})
 
 
 def _satisfied(problem: Problem, rows: tuple[str, ...], u: ScalarMatrix) -> Chain:
