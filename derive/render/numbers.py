@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
-from math import isfinite
+from math import isclose, isfinite
 
 from derive.algebra.rationals import decimal_places
 
@@ -12,6 +12,7 @@ SMALLEST_PLAIN, LARGEST_PLAIN = -3, 5  # powers of ten printed without an expone
 OHM = r"\Omega"
 UNIT_NAME = re.compile(r"[A-Za-z]+|^1(?=/)")
 MOST_ZEROS = 6  # at the end of a decimal number without an exponent, or behind its point
+NEARLY = 1e-6  # of a whole number: what is so near is one
 ZERO_BELOW = 1e-12  # what rounding leaves of a zero
 
 
@@ -58,7 +59,8 @@ def _scientific(digits: str, exponent: int) -> str:
 
 
 def rounded_latex(value: float, digits: int) -> str:
-    """A float to so many significant digits, without trailing zeros: `0.433`, `1.2 \\cdot 10^{-5}`."""
+    """A float to so many significant digits, without trailing zeros: `0.433`, `1.2 \\cdot 10^{-5}`. One that
+    only rounds to a whole number keeps them, `4.00`, so that it does not look like one."""
     if not isfinite(value):
         return r"\infty" if value > 0 else r"-\infty" if value < 0 else r"\text{undefined}"
     if abs(value) < ZERO_BELOW:
@@ -66,8 +68,14 @@ def rounded_latex(value: float, digits: int) -> str:
     mantissa, power = f"{value:.{digits - 1}e}".split("e")
     exponent = int(power)
     if SMALLEST_PLAIN <= exponent < max(LARGEST_PLAIN, digits):
-        return _trimmed(f"{float(f'{mantissa}e{power}'):.{max(digits - 1 - exponent, 0)}f}")
+        written = f"{float(f'{mantissa}e{power}'):.{max(digits - 1 - exponent, 0)}f}"
+        return written if _looks_whole(written, value) else _trimmed(written)
     return rf"{_trimmed(mantissa)} \cdot 10^{{{exponent}}}"
+
+
+def _looks_whole(written: str, value: float) -> bool:
+    """Whether a number is written as a whole one that it is not."""
+    return not written.partition(".")[2].strip("0") and not isclose(float(written), value, rel_tol=NEARLY)
 
 
 def _trimmed(written: str) -> str:

@@ -116,7 +116,7 @@ def test_a_tree_prints_as_a_person_writes_it(expr: Expr, printed: str) -> None:
     ("value", "printed"),
     [(0.43301, "0.433"), (0.75, "0.75"), (1e-17, "0"), (-2.0, "-2"), (1234.5, "1230"),
      (0.0012345, "0.00123"), (1.25e-7, r"1.25 \cdot 10^{-7}"), (-3.2e8, r"-3.2 \cdot 10^{8}"),
-     (9.9996, "10")],
+     (9.9996, "10.0")],
 )  # fmt: skip
 def test_rounded_numbers(value: float, printed: str) -> None:
     assert latex(Approximate(value), NOTATION) == printed
