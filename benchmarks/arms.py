@@ -73,7 +73,7 @@ ARMS = (
     Arm("general3R", "* d1 a1 alpha1; * d2 a2 alpha2; * d3 a3 0", POINT, V),
     Arm("wrist_zyz", "* 0 0 -90; * 0 0 90; * d3 0 0", ORIENTATION, W),
     Arm("wrist_twist60", "* 0 0 60; * 0 0 -60; * d3 0 0", ORIENTATION, W),
-    Arm("twoR_twist", "* d1 a1 60; * 0 a2 0", PLANE, ("vx", "vy")),
+    Arm("twoR_twist", "* d1 a1 60; * 0 a2 0", POINT, ("vx", "vy")),
     Arm("3R_twist30", "* d1 a1 30; * 0 a2 0; * 0 a3 0", POINT, V),
     Arm("3R_twist45", "* d1 a1 45; * d2 a2 45; * 0 a3 0", POINT, V),
     Arm("SCARA", "* d1 a1 0; * 0 a2 180; 0 * 0 0; * d4 0 0", LIFTED, (*V, "wz")),

@@ -106,13 +106,25 @@ def with_sums_of_rates(terms: Terms, alphabet: Alphabet) -> Terms:
     """The same in theta1_dot and theta1_dot + theta2_dot, where so there are fewer terms."""
     while len(terms) <= MOST_REBASED:
         rates = sorted({atom for m in terms for atom, _ in m if alphabet.is_rate(atom)}, key=alphabet.key)
-        pairs = product(combinations(rates, 2), (1, -1))
-        found = [_joined(terms, x, y, sign, alphabet) for (x, y), sign in pairs if _added(x, y, alphabet)]
+        pairs = [
+            (x, y) for x, y in combinations(rates, 2) if _added(x, y, alphabet) and _may_join(terms, x, y)
+        ]
+        found = [_joined(terms, x, y, sign, alphabet) for (x, y), sign in product(pairs, (1, -1))]
         best = min(found, key=len, default=terms)
         if len(best) >= len(terms):
             break
         terms = best
     return terms
+
+
+def _may_join(terms: Terms, x: int, y: int) -> bool:
+    """Whether a term that holds the one is like one that holds the other, as it must be for any to go out."""
+
+    def beside(rate: int) -> set[Monomial]:
+        held = (monomial for monomial in terms if any(atom == rate for atom, _ in monomial))
+        return {tuple(part for part in monomial if part[0] not in (x, y)) for monomial in held}
+
+    return not beside(x).isdisjoint(beside(y))
 
 
 def _joined(terms: Terms, x: int, y: int, sign: int, alphabet: Alphabet) -> Terms:

@@ -72,10 +72,10 @@ class Options(OptionsModel):
 
 
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
-    """Those of formulas, or of equations."""
+    """Those of formulas, or of equations; of either in numbers, where they are too long."""
     if len(robot.variables) > MOST_JOINTS:
         return ("equations-hold|at-a-point", "solved|at-a-point", "names|at-a-point")
-    return ("adjugate", "joint-forces", "names")
+    return ("adjugate|at-a-point", "joint-forces|at-a-point", "names|at-a-point")
 
 
 class Facts(PageFacts):

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from dataclasses import replace as with_field
 from functools import partial
+from math import ceil
 
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, number, number_rows, numbers
@@ -64,6 +65,7 @@ ABOUT = {
     "before": "about-before", "own": "about-own", "either": "about-either", "axis": "about-axis",
 }  # fmt: skip
 THETA, THETA_B = symbols("Theta Theta_b")
+LONG = 3_000  # terms of all columns, of an arm whose inertia matrix certainly fills pages
 PRODUCTS = (("Y", "parameters"), ("Y_b", "base_parameters"))
 INDEPENDENT = 1e-8  # the smallest singular value, relative to the largest
 
@@ -120,10 +122,7 @@ def _parameters_alone(
     robot: Robot, problem: Problem, found: Found, columns: Mapping[str, Columns]
 ) -> Derivation:
     """The parameters and their groups; of the columns it is held in numbers that they make the torques."""
-    arm, parameters = Arm(problem), found.parameters
-    moments = {
-        name: value for body in weighted(problem, chain_of(problem)) for name, value in body.named.items()
-    }
+    arm, parameters, moments = Arm(problem), found.parameters, _moments(problem)
 
     def final(value: Scalar) -> Expr:
         return problem.final(problem.readable(value), moments)
@@ -156,22 +155,33 @@ def _parameters_alone(
     return work.answer("regressor", results, facts)
 
 
+def _moments(problem: Problem) -> dict[Expr, Expr]:
+    """The names of shapes' moments, and what they stand for."""
+    bodies = weighted(problem, chain_of(problem))
+    return {name: value for body in bodies for name, value in body.named.items()}
+
+
 def _in_symbols(robot: Robot, problem: Problem, parameters: Sequence[Standard]) -> Derivation:
     """With every column."""
-    arm = Arm(problem)
+    arm, moments = Arm(problem), _moments(problem)
+    long = terms_of(parameters) > LONG or arm.long
     made_of = dependent(problem, parameters)
     base = base_parameters(parameters, made_of)
-    values: dict[Expr, Expr] = {part.name: arm.final(part.value) for part in parameters}
-    theta: dict[Expr, Expr] = {each.name: arm.final(each.value) for each in base}
+
+    def final(value: Scalar) -> Expr:
+        return problem.final(problem.readable(value), moments)
+
+    values: dict[Expr, Expr] = {part.name: final(part.value) for part in parameters}
+    theta: dict[Expr, Expr] = {each.name: final(each.value) for each in base}
     gathered = [gathered_by(problem, each, theta[each.name]) for each in base]
     lost = [made_of_others(problem, parameters, j, weights) for j, weights in made_of.items()]
-    columns = [problem.readable_matrix(each.column) for each in base]
     all_columns = [problem.readable_matrix(part.column) for part in parameters]
-    work = Work(problem, aside=arm.moments).knowing({**values, **theta})
+    columns = [each for j, each in enumerate(all_columns) if j not in made_of]
+    work = Work(problem, aside=moments).knowing({**values, **theta})
     work = work.knowing({column_name(part.name): y for part, y in zip(parameters, all_columns, strict=True)})
     law, by_columns = regressor_laws()
     work = work.showing(law, *lost, *gathered, by_columns).linked(
-        but=[step.name for step in lost] if arm.long else ()
+        but=[step.name for step in lost] if long else ()
     )
     results: dict[str, Expr] = {
         "Y": problem.final(_beside(all_columns)),
@@ -181,7 +191,7 @@ def _in_symbols(robot: Robot, problem: Problem, parameters: Sequence[Standard]) 
         "names": column(map(typed_name, values)),
         "groups": column(typed_name(step.chain[1]) for step in gathered),
     }
-    if not arm.long:
+    if not long:
         shown = _columns(columns)
         work = work.law("columns", _are_columns(work, shown, as_matrix(results["Y_b"], "Y_b")))
         work = _linear(work.showing(*shown), results)
@@ -254,7 +264,8 @@ def _is_smallest(arm: Arm, Y_b: Matrix) -> Iterator[bool]:
     full rank."""
     import numpy as np
 
-    points = [*random_points(arm.moving, 2 * len(Y_b.rows[0]))]
+    n, b = Y_b.shape
+    points = [*random_points(arm.moving, 2 * ceil(b / n) + n)]
     varying = {f"{name}{dots}" for name in arm.variables for dots in ("", "_dot", "_ddot")}
     lengths = {name: value for name, value in points[0].items() if name not in varying}
     rows = np.array([row for at in points for row in number_rows(Y_b, {**at, **lengths})])
