@@ -57,7 +57,8 @@ def of_motion(motion: Motion, where: Mapping[str, Expr], wish: Wish) -> Drawing:
         captions.append(Caption(title, _step(made[k], k + 1), (0.0, 0.0), "note"))
     steps = tuple(_step(move, k + 1) for k, move in enumerate(made))
     seen = any(not _hidden(before, after, size) for before, after in pairwise(poses))
-    told = Phrase("steps" if seen else "steps-alone")
+    key = "step" if len(made) == 1 else "steps"
+    told = Phrase(key if seen else f"{key}-alone")
     return Drawing(
         "figure", tuple(strokes), tuple(captions), told, Phrase("steps-seen", {"steps": steps}),
         unit=min(LARGE / size, WIDE / (wide * min(A_ROW, len(made)))),

@@ -33,7 +33,6 @@ from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._units import of_variables
 from derive.kinds.robot._velocity.ellipsoids import exactly
 from derive.kinds.robot._velocity.iterated import (
-    ROUNDING,
     E,
     ended,
     error_plot,
@@ -49,7 +48,7 @@ from derive.kinds.sure import place
 from derive.kinds.units import in_degrees
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
-from derive.mechanics.iteration import Iteration, iterate
+from derive.mechanics.iteration import CLOSE, Iteration, iterate
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
@@ -291,7 +290,7 @@ def _facts(arm: Arm, options: Options, run: Iteration, table: Table) -> Facts:
         stopped=stopped(run.verdict, arm.task.square),
         solution=_solution(arm, run) if found else (),
         outlook=Phrase(outlook(run.verdict, newton, fixed is not None), share(run)) if found else None,
-        drawn=sum(row.error >= ROUNDING for row in run.rows) > 1,
+        drawn=sum(row.error >= CLOSE for row in run.rows) > 1,
         numbers=(),
     )
 

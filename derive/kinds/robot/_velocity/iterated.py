@@ -8,7 +8,6 @@ from derive.figures.axes import short
 from derive.mechanics.iteration import CLOSE, Iteration, Row, Verdict
 
 J, E = symbols("J e")
-ROUNDING = 1e-12  # an error below is what rounding leaves
 
 
 def ended(verdict: Verdict, newton: bool, at_once: bool) -> str:
@@ -62,9 +61,9 @@ def table_row(k: int, row: Row, bound: Expr) -> tuple[Cell, ...]:
 
 
 def error_plot(run: Iteration, newton: bool, unit: str) -> Plot:
-    """The errors that are more than what rounding leaves, on a logarithmic scale: Newton's method falls ever
+    """The errors that the table has numbers of, on a logarithmic scale: Newton's method falls ever
     more steeply, the gradient method along a line."""
-    kept = [(float(k), row.error) for k, row in enumerate(run.rows) if row.error >= ROUNDING]
+    kept = [(float(k), row.error) for k, row in enumerate(run.rows) if row.error >= CLOSE]
     counts, errors = zip(*kept, strict=True)
     about = {"steps": str(len(run.rows) - 1), "first": short(errors[0]), "last": short(run.rows[-1].error)}
     name, k = Phrase("error"), {"k": Symbol("k")}
