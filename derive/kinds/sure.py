@@ -77,17 +77,28 @@ def read(text: str) -> Expr:
 
 
 def _without_max(text: str) -> str:
-    """With (x + |x|)/2 for Max(0, x), which no author writes."""
+    """With (x + |x|)/2 for Max(0, x), and (x + y + |x - y|)/2 for any other two; no author writes Max."""
     while (begin := text.rfind(MAX)) >= 0:
-        start = begin + len(MAX)
-        depth = 1
-        end = start
-        while depth:
-            depth += {"(": 1, ")": -1}.get(text[end], 0)
-            end += 1
-        inner = text[start : end - 1]
-        text = f"{text[:begin]}((({inner}) + abs({inner}))/2){text[end:]}"
+        parts, end = _arguments(text, begin + len(MAX))
+        largest = "0"
+        for part in parts:
+            apart = f"({part})" if largest == "0" else f"({largest} - ({part}))"
+            largest = f"(({largest} + ({part}) + abs{apart})/2)"
+        text = f"{text[:begin]}{largest}{text[end:]}"
     return text
+
+
+def _arguments(text: str, start: int) -> tuple[list[str], int]:
+    """Those of a call, from the place where the first begins, and the place after its bracket."""
+    parts, depth, end = [""], 1, start
+    while depth:
+        depth += {"(": 1, ")": -1}.get(text[end], 0)
+        if text[end] == "," and depth == 1:
+            parts.append("")
+        elif depth:
+            parts[-1] += text[end]
+        end += 1
+    return parts, end
 
 
 def _value(tree: Expr, point: Mapping[str, Expr], domain: type[Balls]) -> arb:

@@ -26,12 +26,17 @@ def conventions(said: Sequence[Said], printed: list[Printed], bare: frozenset[st
     formulas = [formula for part in said for formula in part.printed if formula.chains]
     short = [*_abbreviated(formulas)]
     seen = [shown(_equation(*each), each[1], printed) for each in _examples(short)]
+    also = [
+        {"angle": alone(*one[0], printed), "first": alone(*one[1], printed),
+         "meant": [shown(_equation(*each), each[1], printed) for each in _both(*one[0])]}
+        for one in _renamed(short)
+    ]  # fmt: skip
     angle = next(_atan2(formulas), None)
     arctangent = shown((link(*angle),), angle[1], printed) if angle else ""
     several = len(dict.fromkeys(call for call, _ in short)) > len(seen)
     found = environment().get_template(WORDS).render(
-        abbreviations=seen, several=several, arctangent=arctangent, moves=[*_moves(formulas, printed)],
-        names=[*named(formulas, printed)], bare=bare,
+        abbreviations=seen, also=also, several=several, arctangent=arctangent,
+        moves=[*_moves(formulas, printed)], names=[*named(formulas, printed)], bare=bare,
     )  # fmt: skip
     return found.strip()
 
@@ -56,8 +61,27 @@ def _examples(found: Sequence[tuple[Call, Notation]]) -> Iterator[tuple[Call, No
         named = isinstance(angle, Symbol) and angle.name in notation.short_names
         first.setdefault("sum" if isinstance(angle, Sum) else "name" if named else "one", (angle, notation))
     for sort in filter(first.get, SORTS):
-        angle, notation = first[sort]
-        yield from ((Call(function, (angle,)), notation) for function in SHORT)
+        yield from _both(*first[sort])
+
+
+def _both(angle: Expr, notation: Notation) -> Iterator[tuple[Call, Notation]]:
+    yield from ((Call(function, (angle,)), notation) for function in SHORT)
+
+
+def _renamed(
+    found: Sequence[tuple[Call, Notation]],
+) -> Iterator[tuple[tuple[Expr, Notation], tuple[Expr, Notation]]]:
+    """Angles that have the index of the first one and are called by another letter, each beside that."""
+    first: tuple[Expr, Notation] | None = None
+    seen: set[Expr] = set()
+    for call, notation in found:
+        (angle,) = call.arguments
+        if not isinstance(angle, Symbol) or angle.name in notation.short_names or angle in seen:
+            continue
+        first = first or (angle, notation)
+        seen.add(angle)
+        if angle != first[0] and short_index(angle, notation) == short_index(*first):
+            yield (angle, notation), first
 
 
 def _atan2(formulas: Iterable[Printed]) -> Iterator[tuple[Call, Notation]]:

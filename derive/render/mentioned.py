@@ -36,7 +36,7 @@ INDEX = r"\s*_\s*(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\[A-Za-z]+|\w)"
 NAME = re.compile(rf"{LETTER}(?:{INDEX})?")
 EVERY = re.compile(r"\d+$")  # I_i says what each of I_1, I_2, ... is
 FRACTION = re.compile(r"\\[dt]?frac\s*\{?(\d+)\}?\s*\{?(\d+)\}?|(\d+)\s*/\s*(\d+)")
-NUMBER = re.compile(r"([-−]?\d+(?:\.\d+)?)\s*(%|\\%|cm\b|mm\b|ms\b)?")
+NUMBER = re.compile(r"([-−]?\d+(?:\.\d+)?)\$?\s*(%|\\%|cm\b|mm\b|ms\b)?")
 SIZES = {"%": 100, "\\%": 100, "cm": 100, "mm": 1000, "ms": 1000}
 NUMERALS = ["two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 FORMULA = re.compile(r"\$([^$]+)\$")
@@ -138,9 +138,10 @@ def _typed(text: str) -> Iterator[Fraction]:
     """The numbers that are typed in digits, in SI units, and fractions of them."""
     for digits, unit in NUMBER.findall(text):
         size = abs(Fraction(digits.replace("−", "-")))
-        yield from (size, -size) if digits[0] in "-−" else (size,)
+        signs = (1, -1) if digits[0] in "-−" else (1,)
+        yield from (sign * size for sign in signs)
         if unit:
-            yield size / SIZES[unit]
+            yield from (sign * size / SIZES[unit] for sign in signs)
     for above, below, top, bottom in FRACTION.findall(text):
         if divisor := int(below or bottom):
             yield Fraction(int(above or top), divisor)

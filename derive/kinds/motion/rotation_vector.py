@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import partial
 from typing import Any
 
@@ -91,10 +92,15 @@ def _line(work: Work, r: Symbol, names: tuple[Symbol, Symbol], of: tuple[Expr, M
     turns = (normal(angle) / Scalar.symbol("pi")).constant
     whole = along(axis)
     length = size(normal_matrix(whole.T * whole)[0, 0], work.problem)
-    unit = whole if length == ONE else multiply(ONE / length, whole)
-    known = () if turns is None else (multiply(number(turns), PI, unit),)
+    known = () if turns is None else (multiply(_radians(turns, length), whole),)
     decimals = column(map(Approximate, numbers(vector, {})))
     return work.line(r, names[0] * names[1], *known, value=decimals, label="r")
+
+
+def _radians(turns: Fraction, length: Expr) -> Expr:
+    """So many pi by a length, as one fraction."""
+    above, below = multiply(number(turns.numerator), PI), multiply(number(turns.denominator), length)
+    return above if below == ONE else above / below
 
 
 def _meant(motion: Motion, names: tuple[Symbol, Symbol], r: Symbol, of: Matrix, at: Point) -> Names:

@@ -55,6 +55,7 @@ class Options(OptionsModel):
 
 class Facts(PageFacts):
     rates: tuple[Symbol, ...]
+    in_time: bool  # the only one of them is the time
     shifted: bool
 
 
@@ -90,9 +91,11 @@ def derive(subject: Motion | GivenRotation, options: Options, problem: Problem) 
         (name, results[key]) for key, name in (("omega", omega), ("S", S), ("v", V)) if key in results
     ]
     work = as_told(work, means, as_printed, "differences", DIFFERENCES, names)
-    facts = Facts(rates=tuple(map(Symbol, turning)), shifted=bool(shifting))
+    in_time = tuple(turning) == (TIME,)
+    facts = Facts(rates=tuple(map(Symbol, turning)), in_time=in_time, shifted=bool(shifting))
     turned = tuple(Symbol(name) for name in varying if normal_matrix(work[R]).diff(name))
-    work = work.law("said", (facts.rates == turned, facts.shifted == ("v" in results)))
+    said = (facts.rates == turned, in_time == (turned == (Symbol(TIME),)), facts.shifted == ("v" in results))
+    work = work.law("said", said)
     return work.answer("velocity", results, facts)
 
 

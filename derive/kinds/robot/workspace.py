@@ -40,6 +40,7 @@ from derive.kinds.robot._reach.regions import (
 from derive.kinds.robot._reach.sections import orientations_held
 from derive.kinds.robot._reach.shapes import Shape
 from derive.kinds.robot._reach.told import (
+    LAST_LINK,
     R_MAX,
     R_MIN,
     R,
@@ -190,7 +191,7 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
         shape, spare, bool(turning) and turns_freely(found, turning, loose, planar), planar
     )
     everywhere = None
-    if orientations.key == "last-link-within":
+    if orientations.key in LAST_LINK:
         everywhere = rings_within(problem, shape.far_start, shape.link, shape.gap or ZERO)
     work = work.claim(*sampled.claims(problem, found, point, shape, steps, told, everywhere))
     plots = tuple(drawn.plots(problem, found, point, shape, told, options.evaluate or ()))

@@ -24,6 +24,7 @@ POINTS = 3
 
 class Facts(PageFacts):
     turn_bits: tuple[Symbol, Expr]
+    positions: Expr  # of each turn
     gear: Symbol | None
 
 
@@ -48,7 +49,7 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
         work = work.worked("phi", Symbol("phi_m") / gear, last)
         results["range"] = "phi"
     found = {name: work.final(line) for name, line in results.items()}
-    facts = Facts(turn_bits=(b_t, work.definitions.get(b_t, b_t)), gear=gear, page_names=results)
+    facts = Facts(turn_bits=(b_t, work.definitions.get(b_t, b_t)), positions=N, gear=gear, page_names=results)
     work = work.claim(route("whole-range", _whole(encoder, problem, found)))
     work = work.claim(route("as-given", facts.turn_bits[1] == turn_bits))
     return work.answer("multi-turn", found, facts, units=UNITS)

@@ -44,7 +44,7 @@ def asked(rows: str, folder: Path) -> dict[str, Any]:
         (planar("l", "l", "l"), "a disc of radius l about the first axis"),  # De Luca, Robotics 1
         (planar(1, 1, 5), "empty"),
         (planar(2, 1, 3), "the point on the first axis alone"),
-        (planar("l1", "l2"), "empty, but for the point on the first axis where both links are equally long"),
+        (planar("l1", "l2"), "empty, except that for equally long links it is the point on the first axis"),
         (planar(2, 1, 0), "an annulus about the first axis"),
         (WRIST, "a spherical shell about the shoulder"),
     ],

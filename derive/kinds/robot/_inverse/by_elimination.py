@@ -28,7 +28,9 @@ from derive.expression import (
     Relation,
     Symbol,
     add,
+    cross,
     multiply,
+    transpose,
 )
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
@@ -201,6 +203,12 @@ class _Solved:
         """What the tangent of half the angle is called."""
         return Symbol(free(self.problem.taken | set(self.target.goal.names), "u"))
 
+    @cached_property
+    def line(self) -> tuple[Symbol, Symbol]:
+        """What the direction of an axis and the position of a point on it are called."""
+        taken = self.problem.taken | set(self.target.goal.names) | {self.root.name}
+        return Symbol(free(taken, "l", "k", "e")), Symbol(free(taken, "p", "w"))
+
     @property
     def branches(self) -> tuple[Branch, ...]:
         """The numbers as results."""
@@ -256,6 +264,8 @@ class _Solved:
             pair=tuple(map(Symbol, self._ordered(pair))),
             last=Symbol(last),
             others=tuple(map(Symbol, self._ordered((*pair, last)))),
+            line=self.line,
+            equal=_followed_by(*self.line),
             unknown=Symbol(triple[0]),
             root=u,
             half=half,
@@ -295,6 +305,12 @@ class _Solved:
         if str(last) != end:
             whole.append(Call("inverse", (Symbol(f"T_{end}^{last}"),)))
         return Relation(Symbol(f"T_{last}^{first}"), "=", Product(tuple(whole)))
+
+
+def _followed_by(l: Symbol, p: Symbol) -> tuple[Expr, ...]:
+    """What holds the two angles of a pair in the same products as a direction and a position do."""
+    both = transpose(p)
+    return both * p, both * l, cross(p, l), l * both * p - 2 * p * both * l
 
 
 def _pose_by_names(target: Target) -> Matrix:

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 FOUND, SAME, NEAR = 1e-9, 1e-5, 1e-7
 LARGEST, BESIDE = 1e7, 0.5  # of a tangent; of an angle beside the pose
+FITTED = 40  # pairs of angles
 PLACES = 1441  # at which the polynomial is looked at
 COUNTS = {"no-real-root": 0, "one-real-root": 1}
 
@@ -51,6 +52,7 @@ class Checks:
         yield route("every-solution", self._complete())
         yield route("polynomial", self._vanishes())
         yield route("cut-there", self._cut())
+        yield route("same-products", self._bilinear())
         yield route("no-formula", self._why())
 
     @property
@@ -146,6 +148,23 @@ class Checks:
         yield moved in (triple, others)
         yield triple | others == set(self.target.joints) and self.told.unknown.name in triple
 
+    def _bilinear(self) -> Iterator[bool]:
+        """Whether what is equal on both sides is linear in each of two angles that turn the line, in each in
+        1, its cosine and its sine: by a fit to what it is in any arm."""
+        import numpy as np
+
+        drawn = np.random.default_rng(1)
+        fixed = [(np.linalg.qr(drawn.normal(size=(3, 3)))[0], drawn.normal(size=(3, 1))) for _ in range(3)]
+        angles = drawn.uniform(-math.pi, math.pi, (FITTED, 2))
+        by = np.array([[(1.0, math.cos(q), math.sin(q)) for q in both] for both in angles])
+        products = np.array([np.outer(one, other).ravel() for one, other in by])
+        lines = [_carried(fixed, both) for both in angles]
+        names = [each.name for each in self.told.line]
+        for tree in (*self.told.line, *self.told.equal):
+            found = np.array([np.ravel(arrays(tree, dict(zip(names, line, strict=True)))) for line in lines])
+            fit = products @ np.linalg.lstsq(products, found, rcond=None)[0]
+            yield close(fit, found, FOUND)
+
     def _pose(self, name: str, at: Values) -> Array:
         """T_b^a by the oracle."""
         import numpy as np
@@ -168,3 +187,17 @@ class Checks:
         axes = [axis_seen(self.problem, self.chain, i, here) for i, _ in self.chain.moving]
         special = [three_are_special(axes[k : k + 3], self._numbers.size) for k in range(len(axes) - 2)]
         yield any(special) == (self.told.why.key == "no-formula-found")
+
+
+def _carried(fixed: Sequence[tuple[Array, Array]], angles: Sequence[float]) -> tuple[Array, Array]:
+    """The direction of a line and a point on it (3 by 1 each), moved by the last of these displacements and
+    then, from the last, by each angle about an axis and the displacement before."""
+    import numpy as np
+
+    (R, p), *before = reversed(fixed)
+    l = R[:, 2:]
+    for (R, o), q in zip(before, reversed(angles), strict=True):
+        c, s = math.cos(q), math.sin(q)
+        turn = R @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+        l, p = turn @ l, turn @ p + o
+    return l, p

@@ -165,8 +165,9 @@ class ByAngle(Record):
 class Eliminated(Record):
     """Of six joints that no formula inverts: `why`; the equation of poses that `cut`s the arm, with three
     joints on each side; those that are left (`triple`, with the `unknown`), the two and the `last` that
-    are eliminated; the tangent of half the unknown, the polynomial of some `degree` in it, and how many
-    real `roots` that has, several solutions sharing one (`shared`). All that is taken `beside` the
+    are eliminated; direction and position of the `line` along the axis of `last` and what follows from them
+    to be `equal` on both sides; the tangent of half the unknown, the polynomial of some `degree` in it, and
+    how many real `roots` that has, several solutions sharing one (`shared`). All that is taken `beside` the
     pose where the determinant is zero at the pose itself."""
 
     why: Phrase
@@ -175,6 +176,8 @@ class Eliminated(Record):
     pair: tuple[Symbol, ...]
     last: Symbol
     others: tuple[Symbol, ...]  # these three
+    line: tuple[Symbol, Symbol]
+    equal: tuple[Expr, ...]
     unknown: Symbol
     root: Symbol
     half: Step

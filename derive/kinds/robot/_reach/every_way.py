@@ -13,6 +13,7 @@ from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._reach.dexterous import described, rings
 from derive.kinds.robot._reach.facts import Dexterous, Facts
 from derive.kinds.robot._reach.regions import region_of
+from derive.kinds.robot._reach.told import LAST_LINK
 from derive.kinds.robot._reach.turning_about import TurningAbout
 from derive.kinds.work import Work
 from derive.names import free
@@ -32,7 +33,7 @@ def dexterous(arm: TurningAbout, point: PointOn | None, at: Place | None) -> Der
     reached = problem.ask("workspace", point=point, evaluate=at)
     told = reached.told(Facts)
     work, key = Work(problem, uses=(reached,)), told.orientations.key
-    if key == "last-link-within" and told.limited is None:
+    if key in LAST_LINK and told.limited is None:
         return _by_last_link(work, arm, told)
     same = key in ("both-the-same", "both-the-same-by-one")
     if not same and key not in NEVER:

@@ -131,7 +131,7 @@ def _difference(problem: Problem, lengths: tuple[Scalar, ...]) -> tuple[Expr, ..
 
 def _holes(problem: Problem, holes: tuple[Expr, ...]) -> tuple[Expr, ...]:
     """max(0, l1 - l2 - l3, ...): the longest link reaches over all others, or there is no hole."""
-    chain: tuple[Expr, ...] = (Call("max", (ZERO, *holes)),)
+    chain: tuple[Expr, ...] = (Call("max", (ZERO, *dict.fromkeys(holes))),)
     decided = _largest(problem, holes)
     return chain if decided == chain[0] else (*chain, decided)
 

@@ -7,6 +7,7 @@ from derive.expression import ZERO, Call, Relation, Symbol
 from derive.kinds.robot._reach.regions import Region, Secondary
 from derive.kinds.robot._reach.shapes import Shape
 
+LAST_LINK = ("last-link-within", "last-link-anywhere")
 R_MIN, R, R_MAX = Symbol("r_min"), Symbol("r"), Symbol("r_max")
 
 
@@ -48,9 +49,10 @@ def equal_lengths(region: Region) -> tuple[Symbol, Symbol] | None:
 
 
 def closed_where(region: Region) -> Phrase | None:
-    """For which lengths the region has no hole."""
+    """For which lengths the region has no hole, or what it is if it has none."""
     if (lengths := equal_lengths(region)) is None:
-        return None
+        open_ = isinstance(region.smallest[-1], Call) and region.smallest[-1].function == "max"
+        return Phrase("closed-else", {"region": region_told(region, True)}) if open_ else None
     return Phrase(
         "closed-where", {"equal": Relation(lengths[0], "=", lengths[1]), "region": region_told(region, True)}
     )
@@ -68,7 +70,7 @@ def orientations_told(
             "r": R, "last": region.lengths[-1], "far": secondary.far, "inside": secondary.inside,
             "gap": secondary.gap,
         }  # fmt: skip
-        return Phrase("last-link-within", about)
+        return _last_link(about)
     if region.kind == "planar" and len(region.lengths) == 2:
         if lengths := equal_lengths(region):
             return Phrase("two-orientations-or-the-base", {"equal": Relation(lengths[0], "=", lengths[1])})
@@ -86,6 +88,13 @@ def _no_more(spare: tuple[int, ...], planar: bool) -> Phrase:
     if spare:
         return Phrase("no-wrist")
     return Phrase("no-joint-left" if planar else "no-freedom-left")
+
+
+def _last_link(about: dict[str, Said]) -> Phrase:
+    """Where the last link starts from; without a hole in the reach of the others there is no gap."""
+    if about["gap"] != ZERO:
+        return Phrase("last-link-within", about)
+    return Phrase("last-link-anywhere", {name: about[name] for name in ("r", "last", "far")})
 
 
 def _missing(spare: tuple[int, ...], idle: bool) -> Phrase:
@@ -107,7 +116,7 @@ def shape_orientations(shape: Shape, spare: tuple[int, ...], free: bool, planar:
         about: dict[str, Said] = {
             "r": R, "last": link, "far": shape.far_start, "inside": Call("abs", (R - link,)), "gap": shape.gap
         }  # fmt: skip
-        return Phrase("last-link-within", about)
+        return _last_link(about)
     if len(shape.rows) <= (2 + bool(shape.lift) if planar else 3):
         if spare and not planar:
             return _missing(spare, idle=False)
