@@ -429,6 +429,17 @@ def test_parameters_that_the_bodies_make_equal_are_told(other: str, told: str, t
     assert told in said
 
 
+@pytest.mark.parametrize(("inertia", "told"), [("[I1, I2, I3]", True), ("[I1, I2, I3, I4, I5, I6]", False)])
+def test_parameters_that_are_zero_are_told_to_be_known(inertia: str, told: bool, tmp_path: Path) -> None:
+    com = "[0, 0, c]" if told else "[a, b, c]"
+    arm = f"""
+    links:
+    - {{theta: theta1*, d: 0, a: 0, alpha: 0, mass: m, com: {com}, inertia: {inertia}}}
+"""
+    said = page(arm, "regressor", tmp_path)
+    assert ("taken as known to be zero" in said) == told
+
+
 def test_one_thing_is_not_told_in_the_plural(tmp_path: Path) -> None:
     said = page(PENDULUM.replace("MORE", ""), "dynamics", tmp_path)
     assert "The center of mass has the Jacobian" in said
