@@ -12,11 +12,11 @@ from derive.figures.axes import IN_TIME, axis, short
 from derive.kinds.bare_units import bare_units
 from derive.kinds.path._frenet import Bent
 from derive.kinds.path._naming import place_name
-from derive.kinds.path._timing import T
+from derive.kinds.path._timing import T_1, T_2, T
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 
-SAMPLES = 160
+SAMPLES, BESIDE = 160, 1e-9
 AXES = symbols("x y z")
 
 
@@ -36,11 +36,15 @@ def unit_of_places(problem: Problem) -> str:
     return "m" if "m" in bare_units(problem) else ""
 
 
-def _places(tree: Result, name: str, low: float, high: float) -> tuple[list[float], list[list[float]]]:
-    """Values of the name, and those of each entry of a column there."""
+def _places(
+    tree: Result, name: str, low: float, high: float, breaks: Sequence[float] = ()
+) -> tuple[list[float], list[list[float]]]:
+    """Values of the name, on both sides of `breaks` too, and those of each entry of a column there."""
     if not isinstance(tree, Matrix):
         raise TypeError("a place is a column")
     at = [low + (high - low) * k / SAMPLES for k in range(SAMPLES + 1)]
+    beside = (high - low) * BESIDE
+    at = sorted({*at, *(each + side for each in breaks for side in (-beside, beside))})
     return at, [[number(entry, {name: each}) for each in at] for (entry,) in tree.rows]
 
 
@@ -70,13 +74,21 @@ def _motion(work: Work, results: Mapping[str, Result]) -> Panels:
     time = results["time"]
     if not isinstance(time, Expr):
         raise TypeError("a time is a formula")
-    return over_time((results["p"], results["v"], results["a"]), 0.0, number(time, {}), work.problem)
+    breaks = [number(work.final(each), {}) for each in (T_1, T_2) if each in work.known]
+    whole = number(time, {})
+    return over_time((results["p"], results["v"], results["a"]), 0.0, whole, work.problem, breaks)
 
 
-def over_time(place_and_rates: Sequence[Result], begin: float, whole: float, problem: Problem) -> Panels:
-    """Coordinates of the place, sizes of velocity and acceleration."""
+def over_time(
+    place_and_rates: Sequence[Result],
+    begin: float,
+    whole: float,
+    problem: Problem,
+    breaks: Sequence[float] = (),
+) -> Panels:
+    """Coordinates of the place, sizes of velocity and acceleration, which may jump at `breaks`."""
     unit, p = unit_of_places(problem), place_name(problem)
-    curves = [_places(each, T.name, begin, whole) for each in place_and_rates]
+    curves = [_places(each, T.name, begin, whole, breaks) for each in place_and_rates]
     at, places = curves[0]
     of_place: dict[Label, tuple[tuple[float, ...], tuple[float, ...]]] = {
         name: (tuple(at), tuple(values)) for name, values in zip(AXES, places, strict=False)

@@ -15,16 +15,21 @@ from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
     Approximate,
+    Call,
     Degrees,
     Expr,
     Number,
+    Product,
     Relation,
     Symbol,
     column,
+    factors_of,
     free_symbols,
     multiply,
+    number,
     sqrt,
     squared,
+    walk,
 )
 from derive.kinds.checks import random_points
 from derive.kinds.meanings import Chain, Names, farthest
@@ -107,23 +112,31 @@ def written(shape: Shape, work: Work, rate: int, axis: Limited) -> Expr:
     if free_symbols(work[d]) and free_symbols(work[limit]):
         return needed(shape, rate, work[d], work[limit])
     found = work.shown(needed(shape, rate, d, limit))
-    if rate == 1 or isinstance(found, Number):
+    if rate == 1 or not any(isinstance(node, Call) and node.function == "sqrt" for node in walk(found)):
         return found
     return sqrt(work.problem.readable(normal(over(shape.strong, d, limit), work.definitions)))
 
 
 def at_most(shape: Shape, work: Work, axis: Limited, formula: Expr) -> Expr:
     """The velocity reached at the greatest acceleration, as a `formula` says it: 3 d/(2 T) with
-    T^2 = 6 d/a_M, no root below the line."""
+    T^2 = 6 d/a_M is sqrt(3 d a_M/8)."""
     found = work.shown(formula)
     if isinstance(found, Number | Degrees):
         return found
-    n, m = parts(shape.strong)
+    n, m = parts(shape.border)
     d, a = work[axis.d], work[axis.limits[2]]
-    inner = multiply(*(factor for factor in (m, d, a) if factor != ONE)) / n
+    inner = multiply(*(factor for factor in (*factors_of(m), d, a) if factor != ONE)) / n
     if not (free_symbols(d) and free_symbols(a)):
-        inner = work.problem.readable(normal(inner))
-    return multiply(shape.fast, sqrt(inner))
+        inner = _over_one_line(work.problem.readable(normal(inner)))
+    return sqrt(inner)
+
+
+def _over_one_line(tree: Expr) -> Expr:
+    """45 pi/64 for 45/64 pi."""
+    match tree:
+        case Product((Number(value), *rest)) if value.denominator > 1:
+            return multiply(number(value.numerator), *rest) / number(value.denominator)
+    return tree
 
 
 def time_of(axis: Limited, rate: int) -> Symbol:
