@@ -21,6 +21,7 @@ STEPS = (0.0, 3.0, 7.0, 12.0, 18.0, 26.0, 36.0, 48.0)  # points beyond the first
 FAR = 11.0  # points beyond it from which on a caption needs a line to its place
 ORDER = tuple(sorted(product(STEPS, SWINGS), key=lambda each: each[0] + 7 * abs(each[1])))
 AIR = 1.3  # points that stay free round a caption
+CLEAR = 2.0  # points between it and its line, which would be read as a part of an index
 BESIDE, ABOVE = 7.0, 2.4  # points between two beside each other, which read as a product, and above
 FINE = 1.0  # squares of paper to a point
 EDGE = 90.0  # points round all lines that captions may stand on
@@ -171,7 +172,7 @@ def placed(wanted: Sequence[Wanted], lines: Lines) -> tuple[list[Box], list[tupl
             waiting.append(other)
     found = [Box(*map(float, box)) for box in boxes]
     leaders = [
-        (choice.places[n], box.nearest(choice.places[n]))
+        (choice.places[n], box.grown(CLEAR).nearest(choice.places[n]))
         for choice, n, box in zip(choices, taken, found, strict=True)
         if choice.far[n]
     ]
