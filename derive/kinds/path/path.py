@@ -111,13 +111,14 @@ def derive(path: Path, options: Options, problem: Problem) -> Derivation:
     work = work.law("said", _said(curve, found, work))
     facts = Facts(curve=curve, page_names=_page_names(found))
     results = _results(work, found, (way.p, found.first, found.second), long.way)
+    named = _to_its_length(found, work)
     if path.timing is not None:
-        moved = in_motion(work, found, path.timing, facts.page_names)
+        moved = in_motion(work, named, path.timing, facts.page_names)
         by_parameter = _results(moved.work, found, (way.p, *moved.rates), long.way)
         work, results, motion = moved.finished(by_parameter)
         facts = replace(facts, motion=motion, page_names=moved.on_page)
     if path.turned is not None:
-        body = turning(work, path.turned, found, None if path.timing is None else moved.time)
+        body = turning(work, path.turned, named, None if path.timing is None else moved.time)
         work, results = body.work, {**results, **body.results}
         on_page = {**facts.page_names, **body.way.page_names}
         facts = replace(facts, turning=body.way.parts, page_names=on_page)
@@ -125,6 +126,14 @@ def derive(path: Path, options: Options, problem: Problem) -> Derivation:
     pictures = tuple(drawn(work, found, results))
     facts = replace(facts, pictures=tuple(each.name for each in pictures))
     return _evaluated(work.answer("path", results, facts, plots=pictures), options, problem)
+
+
+def _to_its_length(found: Bent, work: Work) -> Bent:
+    """With the name of the length at the end, where the parameter is the arc length from the start."""
+    along = found.along
+    if along.between is None or along.between[0] != ZERO or along.L not in work.known or not found.unit:
+        return found
+    return replace(found, work=work, along=replace(along, between=(ZERO, along.L)))
 
 
 def _through_points(path: Path, options: Options, problem: Problem) -> Derivation:

@@ -10,7 +10,7 @@ from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import Phrase, Step
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Degrees, Expr, Matrix, Symbol, add, column, multiply
+from derive.expression import ZERO, Degrees, Expr, Matrix, Symbol, add, column, multiply, negate
 from derive.kinds.path._turning.course import Course, Part, Way
 from derive.kinds.pose._euler_steps import factors_of
 from derive.kinds.problem import Problem
@@ -36,7 +36,7 @@ def by_angles(course: Course) -> Way:
     )
     shares, factors = course.shares(u), factors_of(euler)
     angles = column(names)
-    now = column(add(a, multiply(u, way)) for a, way in zip(begin, ways, strict=True))
+    now = column(add(a, _times(u, way)) for a, way in zip(begin, ways, strict=True))
     steps = (
         Step("a_s", (a_s, column(begin)), "in-numbers"),
         Step("a_f", (a_f, column(end)), "in-numbers"),
@@ -125,4 +125,11 @@ def _way(a: Expr, b: Expr, problem: Problem) -> Expr:
 
 
 def _by(rate: Expr, ways: list[Expr]) -> Matrix:
-    return column(multiply(rate, each) for each in ways)
+    return column(_times(rate, each) for each in ways)
+
+
+def _times(rate: Expr, way: Expr) -> Expr:
+    """With the sign in front."""
+    if isinstance(way, Degrees) and way.value < 0:
+        return negate(multiply(rate, negate(way)))
+    return multiply(rate, way)
