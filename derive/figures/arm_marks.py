@@ -6,19 +6,22 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import pi
 
+from derive.algebra.formulas.with_units import measured, unit_of
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import number
 from derive.algebra.readable.form import readable
 from derive.derivation import Caption, Place, Stroke
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Symbol
-from derive.figures.arm import Posed, place_of
+from derive.expression import ZERO, Expr, Number, Symbol
+from derive.expression import number as number_of
+from derive.figures.arm import SMALL, Part, Posed, length_between, place_of
 from derive.figures.held import Misdrawn
 from derive.figures.view import Vector, View, around, length
 from derive.mechanics.oracle.bodies import com_of
 from derive.mechanics.robot import DHRow, Robot
 
 MOST = 3  # joints of an arm in space whose centers of mass are drawn
+DIGITS = 6  # of a decimal at most
 RADIUS = 0.24  # sizes of a joint: a center of mass
 ASIDE = 1.75  # and how far beside its link a length is drawn
 
@@ -84,15 +87,41 @@ def _measured(robot: Robot, mark: Mark) -> Expr | None:
         found = readable(normal(row.a + x))
     except NotDerivable:
         return None
-    return None if found == ZERO else found
+    if found == ZERO:
+        return None
+    unit = unit_of(row.a) or unit_of(x)
+    return (
+        measured(number_of(found.value, decimal=True), unit) if unit and isinstance(found, Number) else found
+    )
 
 
-def _along(view: View, start: Vector, end: Place, name: Expr, size: float) -> tuple[list[Stroke], Caption]:
-    """A length from a joint to a mark, beside the link."""
+def whole(robot: Robot, posed: Posed, marks: Sequence[Mark]) -> tuple[Part, ...]:
+    """The links along which the distance of a mark is drawn: their own lengths are drawn along them too."""
+    along = [mark.link for mark in marks if _measured(robot, mark) is not None]
+    ends = [posed.poses[link - 1 : link + 1] for link in along]
+    return tuple(
+        part
+        for part in posed.parts
+        if any(
+            length_between(part.start, place_of(a)) < SMALL and length_between(part.end, place_of(b)) < SMALL
+            for a, b in ends
+        )
+    )
+
+
+def along_link(view: View, part: Part, size: float) -> tuple[list[Stroke], Caption]:
+    """The length of a link, on the other side of it than those of marks."""
+    return _along(view, part.start, view.place(part.end), part.by, size, -1)
+
+
+def _along(
+    view: View, start: Vector, end: Place, name: Expr, size: float, beside: int = 1
+) -> tuple[list[Stroke], Caption]:
+    """A length from a joint to a mark, to the left of the link or to the right (-1)."""
     a = view.place(start)
     way = end[0] - a[0], end[1] - a[1]
     far = length(way) or 1.0
-    side = -way[1] / far, way[0] / far
+    side = -beside * way[1] / far, beside * way[0] / far
     first, last = ((p[0] + ASIDE * size * side[0], p[1] + ASIDE * size * side[1]) for p in (a, end))
     middle = (first[0] + last[0]) / 2, (first[1] + last[1]) / 2
     strokes = [Stroke((middle, first), "measure"), Stroke((middle, last), "measure")]

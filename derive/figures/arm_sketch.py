@@ -13,7 +13,7 @@ from derive.figures.arm import SMALL, Joint, Part, Posed, joint_size, length_bet
 from derive.figures.arm_angles import SHORT, angles, reach, turns
 from derive.figures.arm_bodies import hanging, longest, shown_by_body, solid_bodies
 from derive.figures.arm_frames import frames_of
-from derive.figures.arm_marks import Mark, marked
+from derive.figures.arm_marks import Mark, along_link, marked, whole
 from derive.figures.arm_values import values_of
 from derive.figures.body_names import body_names
 from derive.figures.gripper import gripper
@@ -41,7 +41,12 @@ def drawn(robot: Robot, where: Mapping[str, Expr], wish: Wish, marks: Sequence[M
     joints, stubs = _apart(found, size, view)
     held(robot, where, found, joints, size)
     strokes, captions = _sketch(robot, view, found, joints, stubs, size)
-    captions = (*captions, *_lengths(view, found, size, ASIDE if marks else MIDDLE))
+    along_them = whole(robot, found, marks) if view.flat else ()
+    others = replace(found, parts=tuple(part for part in found.parts if part not in along_them))
+    captions = (*captions, *_lengths(view, others, size, ASIDE if marks else MIDDLE))
+    for part in along_them:
+        signs, name = along_link(view, part, size)
+        strokes, captions = (*strokes, *signs), (*captions, name)
     for signs, names in marked(robot, view, found, marks, size):
         strokes, captions = (*strokes, *signs), (*captions, *names)
     said = described.caption(robot, found, view, frozenset(where)), described.seen(robot, found, view)

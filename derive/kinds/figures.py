@@ -17,7 +17,7 @@ from derive.mechanics.motion import Motion
 from derive.mechanics.robot import Robot
 
 MASSES = frozenset(
-    {"dynamics", "inertia-matrix", "gravity", "christoffel", "coriolis-matrices", "properties"}
+    {"dynamics", "inertia-matrix", "gravity", "christoffel", "coriolis-matrices", "properties", "residual"}
 )
 NOTHING = Wish()
 MOST_FRAMES = 8  # that one figure can show
