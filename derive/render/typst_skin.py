@@ -17,8 +17,9 @@ from derive.render.width import width
 
 DOLLAR = "\x01"  # around what is Typst's mathematics already, until the page is laid out
 BLOCK = "\x02"  # before what a paragraph leads to, until the page is laid out
+ITEM = "- "  # of a list
 IN_LINE = "m|long|emph|strong|link|raw"  # the calls that a paragraph may begin with
-LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\n(?=({BLOCK}+))")
+LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\n(?=({BLOCK}+|{ITEM}))")
 LISTS = re.compile(r"^(?=#(?:list|enum)\()", re.MULTILINE)
 SPOKEN = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}')  # what is not seen of a formula, and begins it
 BY_ITSELF = 200  # letters and signs: more than two lines
@@ -96,7 +97,8 @@ def _led(found: re.Match[str]) -> str:
     by_itself = (
         found[2] == BLOCK and paragraph.rstrip().endswith(".") and len(SPOKEN.sub("", paragraph)) > BY_ITSELF
     )
-    return found[0] if by_itself else f"#lead[{paragraph}]\n\n"
+    item = found[2] == ITEM and paragraph.startswith(ITEM)  # one after another
+    return found[0] if by_itself or item else f"#lead[{paragraph}]\n\n"
 
 
 FORMULAS = TypstFormulas()
