@@ -40,8 +40,8 @@ class Facts(PageFacts):
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """c_ijk = (d_kj,i + d_ki,j - d_ij,k) / 2 (Spong et al., eq. 6.38)."""
     arm = Arm(problem)
-    big, D, symbols = arm.inertia.told(InertiaFacts).big, arm.D, arm.christoffel
     arm.refuse_vast(MOST_TERMS)
+    big, D, symbols = arm.inertia.told(InertiaFacts).big, arm.D, arm.christoffel
     work = Work(problem).resting_on(arm.inertia).showing(christoffel_law(problem.taken))
     told = () if big else shown(symbols)
     work = work if big else lines(work, symbols, arm.variables, arm.final)

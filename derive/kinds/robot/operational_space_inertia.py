@@ -52,6 +52,7 @@ CLAIMS = (
     "in-numbers|solved|lambda-at-a-point",
 )
 MOST_JOINTS = 3
+MOST_TERMS = 9_000  # of D; with more not even equations are told
 J, D, LAMBDA = symbols("J D Lambda")
 DET, INVERSE = Call("det", (J,)), J**-1
 
@@ -90,6 +91,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 def _in_letters(problem: Problem, task: Task) -> Derivation:
     arm = Arm(problem)
+    arm.refuse_long(MOST_TERMS)
     if len(task.rates) > MOST_JOINTS or arm.long or not task.square:
         return _as_equations(task, arm)
     jacobian = _regular(task)

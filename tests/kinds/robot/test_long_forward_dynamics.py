@@ -1,4 +1,4 @@
-"""Forward dynamics of arms so long that no line has tau_1: against the energies of NumPy."""
+"""Dynamics of arms so long that no line has tau_1, or that only numbers are found: against NumPy."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import derive
-from tests.random_sheets import STANDARD, inertia, torques, value
+from tests.random_sheets import STANDARD, inertia, jacobian, torques, value
 
 
 def arm(*twists: str) -> dict[str, Any]:
@@ -57,3 +57,20 @@ def test_three_joints_that_are_too_long_in_letters_are_solved_at_a_point() -> No
     h, wanted = by_energies(described, variables, at)
     assert np.ravel(evaluated["h"]) == pytest.approx(list(h), rel=1e-6)
     assert np.ravel(evaluated["qddot"]) == pytest.approx(list(wanted), rel=1e-6)
+
+
+def test_eight_joints_are_solved_at_a_point_and_so_is_the_inertia_at_the_hand() -> None:
+    described = arm(*["90 deg", "-90 deg"] * 4)
+    variables = [f"theta{i}" for i in range(1, 9)]
+    at = point(described, variables, **{f"tau_{i}": 0.1 * i for i in range(1, 9)})
+    robot = derive.robot(**described)
+    h, wanted = by_energies(described, variables, at)
+    found = robot.forward_dynamics(evaluate=at).evaluated
+    assert np.ravel(found["h"]) == pytest.approx(list(h), rel=1e-5, abs=1e-6)
+    assert np.ravel(found["qddot"]) == pytest.approx(list(wanted), rel=1e-5, abs=1e-6)
+    still = {name: at[name] for name in at if not name.endswith("_dot") and name[:3] != "tau"}
+    rows = ["vx", "vy", "vz", "wx", "wy", "wz"]
+    shown = robot.operational_space_inertia(rows=rows, evaluate=still).evaluated["Lambda"]
+    standard = {**described, "convention": STANDARD}
+    J, D = jacobian(standard, variables, at), inertia(standard, variables, at)
+    assert np.array(shown, dtype=float) == pytest.approx(np.linalg.inv(J @ np.linalg.solve(D, J.T)), rel=1e-5)

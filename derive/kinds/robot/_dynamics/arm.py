@@ -15,11 +15,12 @@ from derive.derivation import Derivation
 from derive.errors import TooManyTerms
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import oracle_of
-from derive.kinds.robot._dynamics.drives import rigid
+from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.kinds.robot._dynamics.bodies import weighted
+from derive.kinds.robot._dynamics.drives import rigid, with_rotors
 from derive.kinds.robot.inertia_matrix import Facts
 from derive.kinds.work import Work
-from derive.mechanics.dynamics import Christoffel, christoffel
+from derive.mechanics.dynamics import Christoffel, christoffel, inertia_matrix
 from derive.mechanics.oracle import Oracle
 
 MOST_WRITTEN_OUT = 200  # operations of D; what follows from a longer one is worked in names
@@ -73,13 +74,20 @@ class Arm:
 
     def refuse_vast(self, most: int) -> None:
         """Raises TooManyTerms where the Christoffel symbols have more terms together than these."""
-        symbols = self.christoffel.items()
+        symbols = christoffel(self._undone, self.variables).items()
         terms = sum(len(value.numerator) for (i, j, _), value in symbols if i <= j)
-        if terms > most:
-            raise TooManyTerms(
-                f"the Christoffel symbols of this arm have {terms} terms, too many (more than {most}); give "
-                "numbers to some of the symbols, or leave out moments that do not matter"
-            )
+        _refuse(terms, most, "Christoffel symbols of this arm have")
+
+    def refuse_long(self, most: int) -> None:
+        """Raises TooManyTerms where D has more terms than these."""
+        terms = sum(len(entry.numerator) for entry in self._undone.entries)
+        _refuse(terms, most, "inertia matrix of this arm has")
+
+    @cached_property
+    def _undone(self) -> ScalarMatrix:
+        """D before it is derived for a page."""
+        links = [body.motion for body in weighted(self.problem, chain_of(self.problem))]
+        return with_rotors(inertia_matrix(links), self.problem.subject)
 
     @property
     def long(self) -> bool:
@@ -138,3 +146,11 @@ class Arm:
     def agrees(self, work: Work, name: str, ours: Expr) -> Work:
         """`ours` (n by 1) against the torques at those rates less the torques at rest."""
         return work.agrees("rates-alone", self.moving, ours, self.rigid.torques_of_rates, name=name)
+
+
+def _refuse(terms: int, most: int, what: str) -> None:
+    if terms > most:
+        raise TooManyTerms(
+            f"the {what} {terms} terms, too many (more than {most}); give "
+            "numbers to some of the symbols, or leave out moments that do not matter"
+        )
