@@ -20,7 +20,7 @@ from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.regressor import Base, Standard
 from derive.kinds.values_at import Here, values_at
 
-MOST_PRINTED = 16_000  # terms of all columns; pages show none of a regressor that has so many
+MOST_PRINTED = 10_000  # terms of all columns; pages show none of a regressor that has so many
 PARAMETERS = {"Y": "parameters", "Y_b": "base_parameters"}
 INDEPENDENT = 1e-8  # the smallest singular value, relative to the largest
 
