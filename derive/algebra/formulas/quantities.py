@@ -162,10 +162,17 @@ class _Rationals(Domain[Fraction]):
 
     def power(self, base: Fraction, exponent: Fraction) -> Fraction:
         whole = exponent.denominator == 1 and abs(exponent) <= MAX_POWER
-        return base ** int(exponent) if whole and base else self.refuse("this power")
+        return base ** int(exponent) if whole and (base or exponent > 0) else self.refuse("this power")
 
     def call(self, function: str, arguments: list[Fraction]) -> Fraction:
-        return abs(arguments[0]) if function == "abs" else self.refuse(function)
+        match function:
+            case "abs":
+                return abs(arguments[0])
+            case "max":
+                return max(arguments)
+            case "sign":
+                return Fraction((arguments[0] > 0) - (arguments[0] < 0))
+        return self.refuse(function)
 
 
 def rational(expr: Expr) -> Fraction | None:
