@@ -94,7 +94,7 @@ def _same(tree: Expr, written: str) -> Verdict:
 
 
 def _as_digits(expr: Expr) -> Expr:
-    """With rounded numbers as the digits of which they are written, and Max(0, x) as it is read."""
+    """With rounded numbers as the digits of which they are written, and Max(0, ..) as it is read."""
     return _written(expr) if any(map(_is_written_otherwise, walk(expr))) else expr
 
 
@@ -106,6 +106,9 @@ def _written(expr: Expr) -> Expr:
     if isinstance(expr, Approximate) and isfinite(expr.value):
         return Number(Fraction(repr(float(expr.value))))
     if isinstance(expr, Call) and expr.function == "max" and expr.arguments[0] == ZERO:
-        inner = _written(expr.arguments[1])
-        return (inner + Call("abs", (inner,))) / 2
+        largest: Expr = ZERO
+        for part in map(_written, expr.arguments[1:]):
+            apart = part if largest == ZERO else largest - part
+            largest = (largest + part + Call("abs", (apart,))) / 2
+        return largest
     return rebuild(expr, _written)
