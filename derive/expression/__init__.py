@@ -58,6 +58,7 @@ from derive.expression.parts import (
     measured,
     rebuild,
     replace,
+    replace_all,
     unmeasured,
     walk,
 )
@@ -99,6 +100,7 @@ __all__ = [
     "number",
     "rebuild",
     "replace",
+    "replace_all",
     "sin",
     "sqrt",
     "squared",

@@ -109,6 +109,13 @@ def replace(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:
     return rebuild(expr, lambda part: replace(part, values))
 
 
+def replace_all(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:
+    """The tree without keys of `values`, which may stand for others but not, in the end, for themselves."""
+    while (filled := replace(expr, values)) != expr:
+        expr = filled
+    return expr
+
+
 def free_symbols(expr: Expr) -> frozenset[str]:
     """The names in a tree, `pi` apart."""
     return frozenset({node.name for node in walk(expr) if isinstance(node, Symbol)} - {PI.name})

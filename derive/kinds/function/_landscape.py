@@ -12,7 +12,7 @@ from derive.algebra.ball_arithmetic import BITS, precise, slope
 from derive.algebra.function import Function
 from derive.algebra.numbers.floats import Point, number
 from derive.errors import NotReal
-from derive.expression import Expr, Symbol, replace
+from derive.expression import Expr, Symbol, replace_all
 from derive.kinds.problem import Problem
 
 if TYPE_CHECKING:
@@ -36,9 +36,7 @@ class Landscape:
         names: dict[Expr, Expr] = {Symbol(name): value for name, value in problem.where.items()}
 
         def plain(tree: Expr) -> Expr:
-            while (filled := replace(tree, names)) != tree:
-                tree = filled
-            return tree
+            return replace_all(tree, names)
 
         constraints = tuple(plain(c.left) - plain(c.right) for c in function.constraints)
         return Landscape(function.variables, plain(function.values[0]), constraints)

@@ -20,6 +20,7 @@ from derive.expression import (
     add,
     multiply,
     number,
+    replace_all,
     sqrt,
     symbols,
     walk,
@@ -175,10 +176,7 @@ def in_time(tree: Expr, time: Timed) -> Expr:
     """A formula of the parameter and its derivatives as one of the time alone."""
     laws: dict[Expr, Expr] = dict(zip(time.names, time.whole, strict=True))
     known: dict[Expr, Expr] = {**time.work.problem.names, **time.work.definitions}
-    found = put_in(tree, laws)
-    while (filled := put_in(found, known)) != found:
-        found = filled
-    return _written(found, time.work)
+    return _written(replace_all(put_in(tree, laws), known), time.work)
 
 
 def _written(tree: Expr, work: Work) -> Expr:

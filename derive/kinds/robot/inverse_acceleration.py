@@ -9,7 +9,7 @@ from typing import Any
 from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import completed
 from derive.derivation import Derivation, PageFacts
-from derive.expression import Expr, Symbol, column, replace, symbols
+from derive.expression import Expr, Symbol, column, replace, replace_all, symbols
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
@@ -74,7 +74,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     shown = replace(told, in_parts)  # in the names of minors, where it has such
     work = work.knowing(known).line(Q_DDOT, value=shown, rule="solve", label="qddot")
     qddot = replace(replace(rates.matrix("qdot"), in_parts), known)
-    both = (qddot, _put_in(shown, {**rates.definitions, **known}))
+    both = (qddot, replace_all(shown, {**rates.definitions, **known}))
     work = work.claim(
         route(
             "acceleration-met",
@@ -83,13 +83,6 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     facts = Facts(wanted=wanted, components=parts, square=task.square, redundant=task.redundant)
     return work.answer("inverse-acceleration", {"qddot": qddot}, facts)
-
-
-def _put_in(tree: Expr, names: Mapping[Expr, Expr]) -> Expr:
-    """Without names that stand for others."""
-    while (filled := replace(tree, names)) != tree:
-        tree = filled
-    return tree
 
 
 def _wanted(task: Task, k: int) -> str:

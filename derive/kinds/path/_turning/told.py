@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from derive.algebra.normal import normal
 from derive.derivation import Result
 from derive.errors import NotDerivable
-from derive.expression import Approximate, Call, Expr, Matrix, walk
+from derive.expression import Approximate, Call, Expr, Matrix, replace_all, walk
 from derive.expression import replace as put_in
 from derive.kinds.checks import route
 from derive.kinds.path._frenet import Bent
@@ -53,9 +53,7 @@ def _finals(way: Way, work: Work, time: Timed | None) -> dict[Expr, Expr]:
     """What each name comes to by the time, or by the parameter where there is none."""
     found: dict[Expr, Expr] = {}
     for name in way.known:
-        tree = name
-        while (filled := put_in(tree, way.known)) != tree:
-            tree = filled
+        tree = replace_all(name, way.known)
         found[name] = tree if isinstance(tree, Matrix) else _final(tree, work, time)
     return found
 
