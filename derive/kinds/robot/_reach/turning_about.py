@@ -21,7 +21,7 @@ from derive.mechanics.chain import Chain
 from derive.mechanics.reach import moving_joints
 
 POINTS, COUNT = 3, 60
-FINE, BORDERS = 2000, 3  # rings that are added up, and circles at most where they begin or end
+FINE, BORDERS = 10_000, 3  # rings that are added up, and circles at most where they begin or end
 SMALL, NEAR = 1e-5, 2e-2
 Values = dict[str, float]
 
