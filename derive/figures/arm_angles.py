@@ -3,30 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import atan2, pi, remainder
+from itertools import product
+from math import atan2, inf, pi, remainder
 
 from derive.derivation import Caption, Place, Stroke
 from derive.figures import solids
 from derive.figures.arm import Joint, Posed, length_between, place_of
-from derive.figures.view import View, along, around, between, dot
+from derive.figures.view import View, along, around, between, dot, from_line
 from derive.mechanics.robot import Robot
 
 NEARLY = 0.02  # rad: directions that are drawn as one
 WIDE, NARROW = 1.7, 1.2  # sizes of a joint: an arc, and one that ends at an arrow
 RAY = 2.3  # and the lines that an arc begins and ends at
-SHORT = 2.6  # a shorter offset along its axis is part of the cylinder of a joint
+SHORT, BEYOND = 2.6, 0.45  # a shorter offset along its axis is part of the cylinder of a joint, which goes on
+ENDS, BESIDE = (
+    (75.0, 55.0, 95.0, 35.0),
+    (0.0, 0.3, -0.3),
+)  # degrees: where an arc ends; sizes: where on a joint
+HEAD, FREE = (
+    5,
+    0.22,
+)  # places of an arc that its head covers, and how many sizes of a joint stay free about it
 SHARES = 24  # pieces of an arc
 
 Marked = tuple[list[Stroke], list[Caption]]
 
 
-def turns(view: View, joints: Sequence[Joint], size: float) -> Iterator[Marked]:
-    """An arrow round each revolute joint in space, the way in which it turns, and its variable."""
+def turns(view: View, joints: Sequence[Joint], size: float, arrows: Sequence[Stroke]) -> Iterator[Marked]:
+    """An arrow round each revolute joint in space, the way in which it turns, and its variable; its head
+    stands clear of the arrows of frames where it can."""
     for joint in joints:
         if joint.slides:
             continue
         low, high = reach(joint, size)
-        arc = solids.turn(view, along(joint.at, ((low + high) / 2 * size, joint.axis)), joint.axis, size)
+        middles = (along(joint.at, (((low + high) / 2 + b) * size, joint.axis)) for b in BESIDE)
+        tried = [solids.turn(view, middle, joint.axis, size, end) for middle, end in product(middles, ENDS)]
+        clear = (arc for arc in tried if _clear(arc[-HEAD:], arrows) > FREE * size)
+        arc = next(clear, tried[0])
         places = [arc[len(arc) // 2], arc[-1], arc[0]]
         center = view.place(joint.at)
         sides = [(place, (place[0] - center[0], place[1] - center[1])) for place in places]
@@ -34,12 +47,22 @@ def turns(view: View, joints: Sequence[Joint], size: float) -> Iterator[Marked]:
         yield [Stroke(arc, "turn")], [Caption(at, joint.name, towards, "joint", tuple(others))]
 
 
+def _clear(places: Sequence[Place], arrows: Sequence[Stroke]) -> float:
+    """How far places are from straight lines."""
+    return min((from_line(p, *arrow.places) for p in places for arrow in arrows), default=inf)
+
+
 def reach(joint: Joint, size: float) -> tuple[float, float]:
     """From where to where along its axis a cylinder goes, in sizes: a short offset is part of it."""
-    if not 0 < abs(joint.offset) < SHORT * size:
+    if not within_joint(joint, size):
         return -0.7, 0.7
     ends = sorted((0.0, joint.offset / size))
-    return ends[0] - 0.45, ends[1] + 0.45
+    return ends[0] - BEYOND, ends[1] + BEYOND
+
+
+def within_joint(joint: Joint, size: float) -> bool:
+    """Whether the offset along its axis is part of the cylinder of a joint."""
+    return 0 < abs(joint.offset) < SHORT * size
 
 
 def angles(robot: Robot, view: View, posed: Posed, size: float) -> Iterator[Marked]:

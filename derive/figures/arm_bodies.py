@@ -10,7 +10,7 @@ from derive.algebra.numbers.floats import number
 from derive.derivation import Stroke
 from derive.expression import ZERO, Expr, Symbol
 from derive.figures import solids
-from derive.figures.arm import SMALL, Part, Posed, direction, length_between, place_of
+from derive.figures.arm import SMALL, Joint, Part, Posed, direction, length_between, place_of
 from derive.figures.view import Vector, View, across, along, dot, hull
 from derive.mechanics.bodies import Body, Box, Cylinder, Moments, PointMass, Rod, Sphere
 from derive.mechanics.oracle.bodies import com_of
@@ -54,6 +54,7 @@ def solid_bodies(robot: Robot, view: View, posed: Posed, size: float) -> Iterato
     """Each body of a shape: upon the links in a plane, in space behind the skeleton of its arm."""
     for k, body in bodies_of(robot):
         at, T, point = com_place(body, posed, k), posed.poses[k], posed.values
+        slide = _slide(robot, posed, k) if view.flat else None
         strokes: list[Stroke]
         match body.inertia:
             case Rod(long, axis):
@@ -67,14 +68,22 @@ def solid_bodies(robot: Robot, view: View, posed: Posed, size: float) -> Iterato
                 strokes = _cylinder(view, at, direction(T, axis, point), *sizes_of(posed, radius, long))
             case Box(sides):
                 strokes = _box(view, at, T, sizes_of(posed, *sides))
+            case PointMass() if slide:
+                strokes = list(solids.box(view, at, slide.axis, size).strokes)
             case PointMass():
                 strokes = [Stroke(solids.circle(view, at, view.right, view.up, DOT * size), "pin")]
             case _:
                 continue
         before = (
-            0.5 if isinstance(body.inertia, Box | Cylinder | Rod) else 2.0
+            0.5 if slide or isinstance(body.inertia, Box | Cylinder | Rod) else 2.0
         ) * size  # joints are drawn upon them
         yield solids.Solid(view.depth(at) + (before if view.flat else -BEHIND * size), tuple(strokes))
+
+
+def _slide(robot: Robot, posed: Posed, k: int) -> Joint | None:
+    """The prismatic joint of link k, along which its body slides."""
+    variable = robot.links[k - 1].variable
+    return next((joint for joint in posed.joints if joint.slides and joint.name == variable), None)
 
 
 def bodies_of(robot: Robot) -> Iterator[tuple[int, Body]]:

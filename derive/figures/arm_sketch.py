@@ -80,13 +80,15 @@ def _sketch(
         jaws, names = gripper(view, posed, joints, size, index)
         strokes += jaws
         captions += names
-    for arcs, names in angles(robot, view, posed, size) if view.flat else turns(view, joints, size):
+    frames = list(frames_of(robot, view, posed, size))
+    arrows = [stroke for stroke, _ in frames]
+    for arcs, names in angles(robot, view, posed, size) if view.flat else turns(view, joints, size, arrows):
         strokes += arcs
         captions += names
     for more, names in body_names(robot, view, posed, size):
         strokes += more
         captions += names
-    for stroke, caption in frames_of(robot, view, posed, size):
+    for stroke, caption in frames:
         strokes.append(stroke)
         captions.append(caption)
     return tuple(strokes), tuple(captions)

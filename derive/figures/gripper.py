@@ -7,10 +7,11 @@ from collections.abc import Sequence
 
 from derive.derivation import Caption, Stroke
 from derive.figures.arm import SMALL, Joint, Posed, length_between, place_of
+from derive.figures.arm_angles import BEYOND, within_joint
 from derive.figures.solids import pointing
 from derive.figures.view import Vector, View, along, between, cross, dot, length, unit
 
-STEM = 0.35  # sizes of a joint: what holds a gripper that stands on one
+STEM = 0.5  # sizes of a joint: what holds a gripper that stands on one
 JAW, THICK = (
     0.6,
     0.17,
@@ -53,6 +54,9 @@ def _end(view: View, posed: Posed, joints: Sequence[Joint], size: float) -> tupl
     """Where the jaws are fixed, and which way they point."""
     last, end = posed.parts[-1], place_of(posed.end)
     joint = joints[-1] if joints else None
+    if joint and last.along_joint and not view.flat and within_joint(joint, size):
+        way = unit(between(last.start, last.end))
+        return along(joint.at, (joint.offset, joint.axis), ((BEYOND + STEM) * size, way)), way
     at_end = posed.joints and length_between(posed.joints[-1].at, end) < SMALL
     if joint is None or joint.slides or view.flat or not at_end:
         return last.end, unit(between(last.start, last.end))

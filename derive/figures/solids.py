@@ -38,11 +38,13 @@ def cylinder(
     return Solid(view.depth(middle), (Stroke(body, "body"), Stroke(rims[front], "cap")))
 
 
-def turn(view: View, at: Vector, axis: Vector, size: float) -> tuple[Place, ...]:
-    """Part of a circle round a revolute joint, where it can be seen, the way in which it turns."""
+def turn(view: View, at: Vector, axis: Vector, size: float, until: float = 75.0) -> tuple[Place, ...]:
+    """Part of a circle round a revolute joint, where it can be seen, the way in which it turns, and so many
+    degrees beyond where it is nearest."""
     a, b = across(axis)
     nearest = atan2(dot(view.front, b), dot(view.front, a))
-    turns = (nearest + radians(75) * (k / 14 - 1) for k in range(29))
+    first = max(until - 150.0, -90.0)
+    turns = (nearest + radians(first + (until - first) * k / 28) for k in range(29))
     return tuple(view.place(along(at, (0.78 * size * cos(t), a), (0.78 * size * sin(t), b))) for t in turns)
 
 

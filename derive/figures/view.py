@@ -114,3 +114,11 @@ def _turn(a: Place, b: Place, c: Place) -> float:
 def length(place: Place) -> float:
     """How far a place is from the origin of the paper."""
     return hypot(*place)
+
+
+def from_line(place: Place, a: Place, b: Place) -> float:
+    """How far a place is from a straight line that ends at two others."""
+    way, out = (b[0] - a[0], b[1] - a[1]), (place[0] - a[0], place[1] - a[1])
+    far = dot(way, way)
+    share = min(max(dot(out, way) / far, 0.0), 1.0) if far else 0.0
+    return length((out[0] - share * way[0], out[1] - share * way[1]))

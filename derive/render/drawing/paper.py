@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from math import hypot
+from itertools import pairwise
+from math import dist, hypot
 from pathlib import Path
 from typing import Literal, TypeAlias
 
@@ -13,6 +14,7 @@ from derive.render.drawing.style import HEAD_LONG, HEAD_WIDE, INK, LETTERS, Pen
 
 Kind: TypeAlias = Literal["svg", "pdf", "png"]
 DENSITY = 200.0  # pixels an inch
+LEAST = 2.2  # lengths of its head that an arrow has at least
 # Letters are as large as their ink: what `lettering` measures is what is covered.
 FONTS = """\
 #set text(font: "New Computer Modern", top-edge: "bounds", bottom-edge: "bounds")
@@ -38,11 +40,12 @@ class Paper:
         self._curve(places, f'fill: rgb("{fill}"), stroke: {stroke}', closed=True)
 
     def arrow(self, places: Sequence[Place], pen: Pen) -> None:
-        """A line with a head at its end."""
+        """A line with a head at its end, a smaller one where it is short."""
         (ax, ay), (bx, by) = _before_end(places), places[-1]
         size = hypot(bx - ax, by - ay) or 1.0
         dx, dy = (bx - ax) / size, (by - ay) / size
-        long, half = HEAD_LONG, HEAD_WIDE / 2
+        short = min(1.0, sum(dist(a, b) for a, b in pairwise(places)) / (LEAST * HEAD_LONG))
+        long, half = short * HEAD_LONG, short * HEAD_WIDE / 2
         foot = (bx - long * dx, by - long * dy)
         self.line((*_cut(places, 0.8 * long), (bx - 0.8 * long * dx, by - 0.8 * long * dy)), pen)
         wings = ((foot[0] - half * dy, foot[1] + half * dx), (foot[0] + half * dy, foot[1] - half * dx))

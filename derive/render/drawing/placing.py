@@ -22,7 +22,10 @@ FAR = 11.0  # points beyond it from which on a caption needs a line to its place
 ORDER = tuple(sorted(product(STEPS, SWINGS), key=lambda each: each[0] + 7 * abs(each[1])))
 AIR = 1.3  # points that stay free round a caption
 CLEAR = 2.0  # points between it and its line, which would be read as a part of an index
-BESIDE, ABOVE = 7.0, 2.4  # points between two beside each other, which read as a product, and above
+BESIDE, ABOVE = 7.0, 4.0  # points between two beside each other, read as a product, and above, as a fraction
+ALONG = 6  # places of a line to a caption that are looked at
+UPON, MET, HIDDEN = 1000.0, 60.0, 12.0  # what it costs to stand on a line, to meet a caption, to cross a line
+FIXED = 400.0  # and to meet a caption that moves no more
 FINE = 1.0  # squares of paper to a point
 EDGE = 90.0  # points round all lines that captions may stand on
 SIDES = ((0, 0), (1, 1), (1, -1), (-1, 1), (-1, -1))  # of a line, whose squares are covered
@@ -158,6 +161,7 @@ def placed(wanted: Sequence[Wanted], lines: Lines) -> tuple[list[Box], list[tupl
     covered = lines.covered()
     choices = [_Choices.of(one, covered) for one in wanted]
     boxes = np.full((len(wanted), 4), np.nan)  # nothing meets what is not placed yet
+    tips = np.full((len(wanted), ALONG, 2), np.nan)  # places of the lines to captions
     taken = [0] * len(wanted)
     moves = [0] * len(wanted)
     waiting = list(range(len(wanted)))
@@ -165,10 +169,10 @@ def placed(wanted: Sequence[Wanted], lines: Lines) -> tuple[list[Box], list[tupl
         k = waiting.pop(0)
         moves[k] += 1
         fixed = np.array([move >= MOST_MOVES for move in moves])
-        taken[k], away = choices[k].best(boxes, fixed, k)
-        boxes[k] = choices[k].boxes[taken[k]]
+        taken[k], away = choices[k].best(boxes, tips, fixed, k)
+        boxes[k], tips[k] = choices[k].boxes[taken[k]], choices[k].tips[taken[k]]
         for other in away:
-            boxes[other] = np.nan
+            boxes[other] = tips[other] = np.nan
             waiting.append(other)
     found = [Box(*map(float, box)) for box in boxes]
     leaders = [
@@ -182,11 +186,12 @@ def placed(wanted: Sequence[Wanted], lines: Lines) -> tuple[list[Box], list[tupl
 @dataclass(frozen=True, slots=True)
 class _Choices:
     """Where one caption could stand, the wanted places first: its boxes, the places that these belong to,
-    which need a line to theirs, and what each costs by itself."""
+    which need a line to theirs and where that runs, and what each costs by itself."""
 
     boxes: Any  # n by 4: left, low, right, high
     places: tuple[Place, ...]
     far: tuple[bool, ...]
+    tips: Any  # n by ALONG by 2: places along the line to its place, not numbers where it needs none
     cost: Any  # n
 
     @classmethod
@@ -195,17 +200,21 @@ class _Choices:
 
         if one.upon:
             box = _about(*one.upon, one.what)
-            return cls(
-                np.array([[box.left, box.low, box.right, box.high]]), (one.upon,), (False,), np.zeros(1)
-            )
+            alone = np.array([[box.left, box.low, box.right, box.high]])
+            return cls(alone, (one.upon,), (False,), np.full((1, ALONG, 2), np.nan), np.zeros(1))
         boxes = np.stack([_around(one.what, *spot) for spot in one.spots], axis=1).reshape(-1, 4)
         roomy = boxes + np.array([-AIR, -AIR, AIR, AIR])
-        cost = 1000.0 * (covered.within(roomy) > 0) + np.arange(len(boxes)) / len(one.spots)
+        cost = UPON * (covered.within(roomy) > 0) + np.arange(len(boxes)) / len(one.spots)
         places = tuple(place for place, _, _ in one.spots) * len(ORDER)
-        far = tuple(step >= FAR for step, _ in ORDER for _ in one.spots)
-        return cls(boxes, places, far, cost)
+        far = np.array([step >= FAR for step, _ in ORDER for _ in one.spots])
+        at = np.array(places)
+        tips = np.where(far[:, None, None], _along(at, boxes), np.nan)
+        across = covered.within(np.concatenate([tips, tips], axis=2)[far][:, 2:].reshape(-1, 4)) > 0
+        cost[far] += HIDDEN * across.reshape(-1, ALONG - 2).any(axis=1)
+        cost[far] += np.hypot(*(at[far] - at[0]).T)  # a line leads to the place that is wanted first
+        return cls(boxes, places, tuple(map(bool, far)), tips, cost)
 
-    def best(self, boxes: Any, fixed: Any, k: int) -> tuple[int, list[int]]:
+    def best(self, boxes: Any, tips: Any, fixed: Any, k: int) -> tuple[int, list[int]]:
         """The cheapest box among those that stand, and the captions that have to make way for it."""
         import numpy as np
 
@@ -216,9 +225,25 @@ class _Choices:
                 & (self.boxes[:, None, 1] - ABOVE < boxes[None, :, 3])
                 & (boxes[None, :, 1] < self.boxes[:, None, 3] + ABOVE)
             )
+            meets |= _runs(tips[None], self.boxes[:, None]) | _runs(self.tips[:, None], boxes[None])
         meets[:, k] = False
-        best = int(np.argmin(self.cost + meets @ np.where(fixed, 400.0, 60.0)))
+        best = int(np.argmin(self.cost + meets @ np.where(fixed, FIXED, MET)))
         return best, [int(j) for j in np.flatnonzero(meets[best]) if not fixed[j]]
+
+
+def _along(places: Any, boxes: Any) -> Any:
+    """Places along the lines from some places to the nearest ones of boxes (n by ALONG by 2)."""
+    import numpy as np
+
+    ends = np.clip(places, boxes[:, :2], boxes[:, 2:])
+    return places[:, None] + np.linspace(0.0, 1.0, ALONG)[None, :, None] * (ends - places)[:, None]
+
+
+def _runs(tips: Any, boxes: Any) -> Any:
+    """Whether a line runs into a box, of all lines (n by m by ALONG by 2) and boxes (n by m by 4)."""
+    boxes = boxes[..., None, :]
+    inside = (tips > boxes[..., :2] - AIR) & (tips < boxes[..., 2:] + AIR)
+    return inside.all(axis=-1).any(axis=-1)
 
 
 def _around(what: Written, place: Place, towards: float, gap: float) -> Any:
