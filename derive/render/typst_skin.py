@@ -19,10 +19,13 @@ DOLLAR = "\x01"  # around what is Typst's mathematics already, until the page is
 BLOCK = "\x02"  # before what a paragraph leads to, until the page is laid out
 ITEM = "- "  # of a list
 IN_LINE = "m|long|emph|strong|link|raw"  # the calls that a paragraph may begin with
-LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\n(?=({BLOCK}+|{ITEM}))")
+NO_PARAGRAPH = rf"{BLOCK}|#(?!(?:{IN_LINE})\b)|\]"  # what begins otherwise
+LEAD_IN = re.compile(rf"(?<=\n\n)(?!{NO_PARAGRAPH})((?:.+\n)+)\n(?=({BLOCK}+|{ITEM}))")
+ONE_LINE = re.compile(rf"(?<=\n\n)(?!{NO_PARAGRAPH}|{ITEM})(.+\n)\n(?!{NO_PARAGRAPH}|{ITEM}|[=\s])")
 LISTS = re.compile(r"^(?=#(?:list|enum)\()", re.MULTILINE)
 SPOKEN = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}')  # what is not seen of a formula, and begins it
-BY_ITSELF = 200  # letters and signs: more than two lines
+FORMULA, TYPICAL = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}[^{DOLLAR}]*{DOLLAR}\);'), "x = 3 m/s"
+BY_ITSELF, ALONE = 200, 85  # letters and signs: more than two lines, and less than one
 UNIT = r"(?:rad|deg|mm|cm|kg|Nm|Hz|[mNsVWJgKA])(?![A-Za-z])[23²³]?"
 MEASURE = re.compile(rf"(?<={DOLLAR}\);) {UNIT}(?:(?: |\\?/)\(?{UNIT}\)?)*")  # behind a formula
 TYPED = re.compile(rf"(?<=\d)(?:°| {UNIT})(?:\\?/{UNIT})+")  # in an author's text, 25°/s
@@ -77,7 +80,7 @@ def laid_out(page: str) -> str:
         raise PageFailed(f"a formula is still in TeX: {page[page.index('$') :][:80]}")
     page = HYPHEN.sub(rf"{WORD_JOINER}\1{WORD_JOINER}", page)
     tied = TYPED.sub(_unbroken, MEASURE.sub(_tied, page))
-    return LEAD_IN.sub(_led, tied).replace(BLOCK, "").replace(DOLLAR, "$")
+    return LEAD_IN.sub(_led, ONE_LINE.sub(_held, tied)).replace(BLOCK, "").replace(DOLLAR, "$")
 
 
 def _tied(found: re.Match[str]) -> str:
@@ -88,6 +91,12 @@ def _tied(found: re.Match[str]) -> str:
 def _unbroken(found: re.Match[str]) -> str:
     """A quotient of units in one piece."""
     return found[0].replace("/", f"/{WORD_JOINER}")
+
+
+def _held(found: re.Match[str]) -> str:
+    """A paragraph of one line held to that which follows: alone it would be an orphan."""
+    short = len(FORMULA.sub(TYPICAL, found[1])) < ALONE
+    return f"#lead[{found[1]}]\n\n" if short else found[0]
 
 
 def _led(found: re.Match[str]) -> str:
