@@ -1,4 +1,5 @@
 """Links: each chain of a derivation is equal from end to end, laws in the instance in which they are tried.
+The normal form decides; floats, which know nothing of it, must not contradict it.
 
 What says nothing is no claim: a name beside its own definition, or a chain of one.
 """
@@ -19,6 +20,7 @@ from derive.derivation import Claim, Step
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Indexed, Matrix, Symbol, free_symbols, replace, walk
 from derive.kinds.checks import FLOATS, NORMAL_FORM, agreement
+from derive.kinds.somewhere import Somewhere, contradicted
 
 EQUATIONS = ("given", "elimination")  # rules of steps with the same name on both sides, maybe
 UNLINKED = ("law", "in-numbers", "unsolved")  # rules of steps that names of the board say nothing about
@@ -35,7 +37,8 @@ def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
     chains = [(step.name, _with_content(step, names)) for step in inner if step.rule not in UNLINKED]
     exact = [(name, [expr for expr in chain if not _rounded(expr)]) for name, chain in chains]
     walk_of = walk_over([expr for _, chain in exact for expr in chain], names)
-    found = [_link(name, chain, walk_of) for name, chain in exact if len(chain) > 1]
+    at = Somewhere(names)
+    found = [_link(name, chain, walk_of, at) for name, chain in exact if len(chain) > 1]
     found += [_circular(step) for step in inner if _defines_itself(step)]
     found += [claim for name, chain in chains for claim in _in_floats(name, chain, walk_of)]
     return (*found, *(in_its_instance(step, names) for step in inner if step.rule == "law" and step.instance))
@@ -62,9 +65,9 @@ def _circular(step: Step) -> Claim:
     return Claim("links", NORMAL_FORM, False, {"step": step.name}, link=True)
 
 
-def _link(name: str, chain: Sequence[Expr], walk_of: Walk) -> Claim:
+def _link(name: str, chain: Sequence[Expr], walk_of: Walk, at: Somewhere) -> Claim:
     values = [_plain(walk_of.value(expr)) for expr in chain]
-    holds = all(a == b for a, b in pairwise(values))
+    holds = all(a == b for a, b in pairwise(values)) and not contradicted(chain, at)
     return Claim("links", NORMAL_FORM, holds, {"step": name}, link=True, tried=len(chain) - 1)
 
 
@@ -89,7 +92,7 @@ def in_its_instance(law: Step, names: Names) -> Claim:
     """A law that holds in general, compared in one case: by normal form, else in numbers where it can be."""
     chain = tuple(replace(expr, law.instance) for expr in law.chain)
     with suppress(NotDerivable):
-        claim = _link(law.name, chain, walk_over(chain, names))
+        claim = _link(law.name, chain, walk_over(chain, names), Somewhere(names))
         if claim.holds or any(isinstance(node, Matrix) for expr in chain for node in walk(expr)):
             return claim
     return _same_numbers(law.name, chain[:-1], chain[1:], chain, names)

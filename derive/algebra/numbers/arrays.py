@@ -45,6 +45,15 @@ class _Arrays(Domain[Any]):
             made = made @ factor if np.ndim(made) and np.ndim(factor) else made * factor
         return made
 
+    def power(self, base: Any, exponent: Any) -> Any:
+        import numpy as np
+
+        return (
+            np.linalg.matrix_power(base, round(exponent))
+            if np.ndim(base)
+            else FUNCTIONS["pow"](base, exponent)
+        )
+
     def matrix(self, rows: list[list[Any]]) -> Any:
         """A matrix of entries, or of blocks."""
         import numpy as np
@@ -52,7 +61,10 @@ class _Arrays(Domain[Any]):
         return np.block([[np.atleast_2d(entry) for entry in row] for row in rows])
 
     def call(self, function: str, arguments: list[Any]) -> Any:
-        known = FUNCTIONS.get(function) or _of_matrices().get(function)
+        import numpy as np
+
+        of_matrix = any(map(np.ndim, arguments)) or function not in FUNCTIONS
+        known = (_of_matrices() if of_matrix else FUNCTIONS).get(function)
         return known(*arguments) if known else self.refuse(function)
 
 
@@ -70,5 +82,6 @@ def _of_matrices() -> dict[str, Callable[..., Any]]:
         "inverse": np.linalg.inv,
         "det": lambda a: float(np.linalg.det(a)),
         "adj": lambda a: np.linalg.det(a) * np.linalg.inv(a),
+        "abs": lambda a: float(np.linalg.norm(a)),
         "cross": lambda a, b: np.cross(a, b, axis=0),
     }

@@ -8,12 +8,13 @@ from itertools import combinations, combinations_with_replacement, product
 from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation, PageFacts, Phrase, Record
 from derive.expression import ZERO, Derivative, Expr, Matrix, Symbol, add, column, multiply, number, squared
+from derive.expression import replace as put_in
 from derive.kinds.checks import random_points, route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.index_laws import khatib_laws
+from derive.kinds.robot._dynamics.index_laws import M_IJK, M_IKJ, M_JKI, khatib_laws
 from derive.kinds.robot._dynamics.matrix_laws import speed_law
 from derive.kinds.robot._units import of_joints
 from derive.kinds.work import Work
@@ -28,7 +29,7 @@ measures = of_joints("v", effort=True)
 
 
 SAME = 1e-12  # of inertia matrices in numbers
-HALF, TWO = number("1/2"), number(2)
+TWO = number(2)
 C, B, V = Symbol("C"), Symbol("B"), Symbol("v")
 
 
@@ -68,8 +69,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = Work(problem).resting_on(arm.inertia).showing(*laws)
     work = work.linked() if arm.long else _entries(work, arm)  # in names alone there is nothing to compare
     shown = [] if arm.long else [ijk for ijk in values if values[ijk]]
+    *_, general = laws
     for i, j, k in shown:
-        raw = HALF * (_m(i, j, k) + _m(i, k, j) - _m(j, k, i))
+        raw = put_in(general.result, {M_IJK: _m(i, j, k), M_IKJ: _m(i, k, j), M_JKI: _m(j, k, i)})
         names = (_b(i, k, j), raw) if j != k else (raw,)
         work = work.line(_b(i, j, k), *names, value=arm.final(values[i, j, k]), rule="b", facts=Row(row=i))
     b = {ijk: work[_b(*ijk)] if ijk in shown else arm.final(value) for ijk, value in values.items()}

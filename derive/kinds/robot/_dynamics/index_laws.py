@@ -38,6 +38,7 @@ from derive.mechanics.dynamics import (
 from derive.names import free
 
 HALF = number("1/2")
+M_IJK, M_IKJ, M_JKI = symbols("m_ijk m_ikj m_jki")  # derivatives of the entries of M
 
 
 def in_general(name: str, formula: Expr, case: dict[Expr, Expr], *more: Expr) -> Step:
@@ -70,12 +71,12 @@ def khatib_laws(taken: Collection[str]) -> tuple[Step, Step]:
     value = normal_matrix(M)
     places = ((3, 1, 2), (3, 2, 1), (1, 2, 3))
     m = {(i, j, k): readable(value[i - 1, j - 1].diff(names[k - 1])) for i, j, k in places}
-    m_ij, q_k, m_ijk, m_ikj, m_jki = symbols("m_ij q_k m_ijk m_ikj m_jki")
+    m_ij, q_k = symbols("m_ij q_k")
     slope, taken_so = Derivative(m_ij, q_k), Derivative(M.rows[2][0], variables[1])
-    case: dict[Expr, Expr] = {m_ijk: m[3, 1, 2], m_ikj: m[3, 2, 1], m_jki: m[1, 2, 3]}
+    case: dict[Expr, Expr] = {M_IJK: m[3, 1, 2], M_IKJ: m[3, 2, 1], M_JKI: m[1, 2, 3]}
     case[Symbol("b_ijk")] = readable(christoffel(value, names)[1, 2, 3])
-    first = in_general("m_ijk", slope, {slope: taken_so, m_ijk: m[3, 1, 2]})
-    return first, in_general("b_ijk", multiply(HALF, Sum((m_ijk, m_ikj, -m_jki))), case)
+    first = in_general("m_ijk", slope, {slope: taken_so, M_IJK: m[3, 1, 2]})
+    return first, in_general("b_ijk", multiply(HALF, Sum((M_IJK, M_IKJ, -M_JKI))), case)
 
 
 def _moving(taken: Collection[str]) -> tuple[dict[Expr, Expr], ScalarMatrix, tuple[Symbol, ...]]:
