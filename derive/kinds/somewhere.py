@@ -30,9 +30,9 @@ class Somewhere(Mapping[str, Any]):
             if name in self.asked:
                 raise KeyError(name)
             self.asked.add(name)
-            tree = self.names.get(Symbol(name))
-            known = tree is not None and tree != Symbol(name)
-            self.found[name] = arrays(tree, self) if known else random.Random(name).uniform(0.2, 1.9)
+            tree = self.names.get(Symbol(name), Symbol(name))
+            letter = tree == Symbol(name)
+            self.found[name] = random.Random(name).uniform(0.2, 1.9) if letter else arrays(tree, self)
         return self.found[name]
 
     def __iter__(self) -> Iterator[str]:

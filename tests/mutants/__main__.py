@@ -41,6 +41,10 @@ def _reached(unit: Unit) -> tuple[Unit, tuple[Page | Refused, Lines] | None]:
     return unit, forked(partial(reached, unit), SLOW)
 
 
+def _among(parts: str, name: str) -> bool:
+    return any(part in name for part in parts.split(","))
+
+
 def main() -> None:
     """Plants, prints what survives as it is found, then a table; `--report` keeps both with every mutant."""
     parser = argparse.ArgumentParser(prog="python -m tests.mutants", description=__doc__)
@@ -50,7 +54,7 @@ def main() -> None:
     parser.add_argument("--most", type=int, default=MOST, help="problems that are built for one mistake")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--only", default="", help="a stratum, a part of a path or of a module")
+    parser.add_argument("--only", default="", help="strata, parts of paths or of modules, with commas")
     parser.add_argument("--sheets", default="", help="a part of the names of the problems to build")
     parser.add_argument("--report", type=Path)
     asked = parser.parse_args()
@@ -66,7 +70,7 @@ def main() -> None:
 
 
 def _mutants(field: Ground, asked: argparse.Namespace) -> str:
-    where = (m for m in sample(field, asked.seed) if asked.only in f"{m.stratum} {m.path}")
+    where = (m for m in sample(field, asked.seed) if _among(asked.only, f"{m.stratum} {m.path}"))
     some = [mutant for mutant, _ in zip(where, range(asked.count), strict=False)]
     found: list[Tried] = []
     for each in each_of(some, partial(_mutant, field, asked.seed, asked.most), asked.jobs):
@@ -86,7 +90,7 @@ def _mutant(field: Ground, seed: int, most: int, mutant: Mutant) -> Tried:
 
 def _lines(field: Ground, asked: argparse.Namespace) -> str:
     made = [line for lines in each_of(list(field.pages), _lines_of, asked.jobs) for line in lines]
-    some = drawn([line for line in made if asked.only in line.module], asked.each, asked.seed)
+    some = drawn([line for line in made if _among(asked.only, line.module)], asked.each, asked.seed)
     found = list(each_of(some, partial(_line, field), asked.jobs))
     count = Counter(kind for _, kind in found)
     told = [f"{kind:<16} {line}" for line, kind in found]
