@@ -8,8 +8,9 @@ from functools import partial
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
-from derive.algebra.numbers.floats import number
+from derive.algebra.numbers.arrays import arrays
 from derive.expression import Expr, Symbol
+from derive.kinds.checks import close
 from derive.kinds.fields import TREES
 from derive.kinds.meanings import column_of, farthest
 from derive.kinds.profile._along.fastest import STEPS
@@ -30,7 +31,15 @@ def place(given: Along, s: float) -> NDArray[Any]:
     import numpy as np
 
     at = {**given.point, given.path.parameter: s}
-    return np.array([number(tree, at) for tree in given.path.places])
+    return np.array([arrays(tree, at) for tree in given.path.places])
+
+
+def limits(given: Along) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Of velocities, without end where there is none, and accelerations, by what was typed."""
+    import numpy as np
+
+    v_max = [arrays(each, given.point) for each in given.path.v_max] or [np.inf] * len(given.path.places)
+    return np.array(v_max), np.array([arrays(each, given.point) for each in given.path.a_max])
 
 
 def slopes(given: Along, s: float, h: float) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -42,6 +51,7 @@ def slopes(given: Along, s: float, h: float) -> tuple[NDArray[Any], NDArray[Any]
 def lines(given: Along) -> Iterator[bool]:
     """The derivatives, the chain rule along a motion that is made up, and the time."""
     low, high = float(given.found.s[0]), float(given.found.s[-1])
+    yield close([low, high], [arrays(end, given.point) for end in given.path.between])
     s, s_dot, s_ddot = given.rates
     h = 1e-3 * (high - low)
     chains = {step.name: step.chain for step in given.steps}
@@ -64,7 +74,7 @@ def kept(given: Along) -> Iterator[bool]:
     import numpy as np
 
     t, s, b = given.found.t, given.found.s, given.found.b
-    v_max, a_max = given.limits
+    v_max, a_max = limits(given)
     reached = 0
     times = np.linspace(0.01, 0.99, 99) * t[-1]
     for moment in times:
@@ -96,7 +106,7 @@ def _searched(given: Along, steps: int) -> float:
 
     low, high = float(given.found.s[0]), float(given.found.s[-1])
     step = (high - low) / steps
-    v_max, a_max = given.limits
+    v_max, a_max = limits(given)
     middles = [slopes(given, low + (k + 0.5) * step, 1e-3 * (high - low)) for k in range(steps)]
     tops = []
     for k in range(steps + 1):
@@ -155,10 +165,10 @@ def as_tabled(given: Along) -> Iterator[bool]:
     rows = () if table is None else table.rows
     yield table is None or (given.told.binding.key == "binding-in-turn")
     t, s, b = given.found.t, given.found.s, given.found.b
-    v_max, a_max = given.limits
+    v_max, a_max = limits(given)
     before = 0.0
     for start_cell, end_cell, told in rows:
-        start, end = (number(cell, {}) for cell in (start_cell, end_cell) if isinstance(cell, TREES))
+        start, end = (arrays(cell, {}) for cell in (start_cell, end_cell) if isinstance(cell, TREES))
         yield start == before
         before = end
         k = int(np.searchsorted(t, start + WITHIN * (end - start))) - 1

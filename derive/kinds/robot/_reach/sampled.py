@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Step
+from derive.derivation import Claim, Phrase, Step
 from derive.expression import ZERO, Expr, free_symbols
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import TREES
@@ -39,6 +39,9 @@ CLOSE = 0.03  # relative: of a size by that
 TOUCHING = 0.02  # relative: how near a grid of joint values comes to an extreme
 HOLLOW = {"annulus": True, "stadium-hole": True, "sector-hole": True, "outside": True, "shell": True,
           "outside-ball": True, "disc": False, "full-ball": False, "sector": False}  # fmt: skip
+DIRECTIONS = {"segment": 1, "whole-line": 1, "box": 3, "endless-box": 3, "whole-space": 3}  # most have two
+MEASURES = {"area": 2, "volume": 3}
+LENS = {"stadium": False, "stadium-hole": True}
 
 
 @dataclass(frozen=True)
@@ -78,6 +81,20 @@ class Sampled(Inside):
         size = high if math.isfinite(high) else FAR
         yield bool(r.min() <= low + TOUCHING * size)
         yield not math.isfinite(high) or bool(r.max() >= high - TOUCHING * size)
+
+    def is_called(self) -> Iterator[bool]:
+        """Whether it spreads in as many directions as what it is called does, and has a size of so many; and
+        the middle of what a rail sweeps is left out just where that is said."""
+        import numpy as np
+
+        base = self.shape.description.about.get("base")
+        key = base.key if isinstance(base, Phrase) else self.shape.description.key
+        spread = int(np.linalg.matrix_rank(self.places - self.places.mean(axis=0), SMALL * FAR))
+        yield spread == DIRECTIONS.get(key, 3 if self.shape.kind == "ball" else 2) + isinstance(base, Phrase)
+        yield not self.shape.measure or MEASURES[self.shape.measure] == spread
+        if key in LENS:
+            middle = (self.places.min(axis=0) + self.places.max(axis=0)) / 2
+            yield bool(self.holds(middle[None], 0.0)[0]) != LENS[key]
 
     def is_filled(self) -> bool:
         """Whether each cell of a coarse grid within the shape, or one beside it, holds a place."""
@@ -143,6 +160,7 @@ def claims(
     yield route("filled", (each.is_filled() for each in tried))
     yield route("lines", (held for at in points for held in _lines(steps, at, told)))
     yield route("called", (held for at in points for held in _called(shape, at)))
+    yield route("called", (held for each in tried for held in each.is_called()))
     if rings:
         yield route("orientations", (held for at in points for held in _turned_about(shape, rings, at)))
     if shape.measure:

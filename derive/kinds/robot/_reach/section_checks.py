@@ -167,6 +167,19 @@ class SectionSeen:
 
     def is_closed_in(self, sample: Sample) -> bool:
         """Whether no way leads from a place that is not reached out of what is."""
+        size, low, _ = self.cells
+        return not self.outside[int(sample.rho / size), int((sample.z - low) / size) + 2]
+
+    def has_void(self) -> bool:
+        """Whether a square of cells is neither reached nor open to the outside."""
+        *_, taken = self.cells
+        closed = ~taken & ~self.outside
+        square = closed[:-2, :-2] & closed[1:-1, 1:-1] & closed[2:, 2:] & closed[2:, :-2] & closed[:-2, 2:]
+        return bool(square.any())
+
+    @cached_property
+    def cells(self) -> tuple[float, float, Array]:
+        """How large cells of the section are, the least height, and which of them are reached."""
         import numpy as np
 
         rho, z = self.reached
@@ -174,18 +187,23 @@ class SectionSeen:
         size = max(float(rho.max()), high - low) / COARSE
         taken = np.zeros((math.ceil(float(rho.max()) / size) + 3, math.ceil((high - low) / size) + 5), bool)
         taken[(rho / size).astype(int).ravel(), ((z - low) / size).astype(int).ravel() + 2] = True
-        ways = [(int(sample.rho / size), int((sample.z - low) / size) + 2)]
-        met = set(ways)
+        return size, low, taken
+
+    @cached_property
+    def outside(self) -> Array:
+        """Which cells a way leads to from outside, past none that is reached."""
+        import numpy as np
+
+        *_, taken = self.cells
+        found = np.zeros(taken.shape, bool)
+        ways = [(taken.shape[0] - 1, 0)]
         while ways:
             i, j = ways.pop()
-            if taken[i, j]:
-                continue
-            if i == taken.shape[0] - 1 or j in (0, taken.shape[1] - 1):
-                return False
-            around = {(max(0, i - 1), j), (i + 1, j), (i, j - 1), (i, j + 1)} - met
-            met |= around
-            ways += around
-        return True
+            inside = 0 <= i < taken.shape[0] and 0 <= j < taken.shape[1]
+            if inside and not (taken[i, j] or found[i, j]):
+                found[i, j] = True
+                ways += (i - 1, j), (i + 1, j), (i, j - 1), (i, j + 1)
+        return found
 
 
 def section_at(problem: Problem, found: Chain, point: Tracked, first: int, at: Point) -> list[float]:

@@ -282,12 +282,13 @@ class InSectionOf:
         known = dict(oracle_of(self.problem).at(point_of(dict(self.place), self.problem.where)))
         seen = seen_in_numbers(self.problem, self.chain, self.point, self.rows, known)
         yield route("section-ends", seen.extremes(told))
-        if facts.section.table is None:
+        if self.is_curve:
             return
-        rows = listed(facts.section.table)
+        rows = listed(facts.section.table) if facts.section.table else []
         voids = [each for each in rows if not each.count]
         yield route("section-counts", seen.counts(rows))
         if voids:
             yield route("section-void", map(seen.is_closed_in, voids))
         yield route("section-called", called_so(facts, told, bool(voids)))
+        yield route("section-called", bool(voids) or not seen.has_void())
         yield route("section-drawn", (in_its_part(plot, each) for plot in plots for each in rows))
