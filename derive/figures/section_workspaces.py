@@ -39,7 +39,7 @@ def carried(rho: Array, z: Array, told: Mapping[str, float], unit: str) -> Plot:
 def _in_section(
     series: dict[Label, Curve], regions: dict[Label, Curve], told: Mapping[str, float], unit: str
 ) -> Plot:
-    about = {name: short(value) for name, value in told.items()}
+    about = {name: short(value) for name, value in told.items() if name != "r_min"}
     return Plot(
         "workspace", with_unit("distance", unit), with_unit("height-on-axis", unit), series, regions=regions,
         equal=True, caption=Phrase("drawn-through-axis"), alt=Phrase("seen-through-axis", about),

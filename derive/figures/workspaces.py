@@ -54,10 +54,8 @@ class Sizes:
 
     def said(self) -> dict[str, Said]:
         """The distances for who does not see them."""
-        return {
-            "near": short(math.hypot(self.near, self.side)),
-            "far": short(math.hypot(self.far, self.side)),
-        }
+        ends = {"near": self.near, "far": self.far}
+        return {name: short(math.hypot(end, self.side)) for name, end in ends.items()}
 
 
 def from_above(sizes: Sizes, secondary: tuple[float, float] | None) -> Plot:
@@ -69,7 +67,8 @@ def from_above(sizes: Sizes, secondary: tuple[float, float] | None) -> Plot:
     rings = [*_any_way(sizes.lengths[-1], *secondary)] if secondary else []
     for k, (low, high) in enumerate(rings):
         regions["" if k else ANY_WAY] = _ring((0.0, 0.0), low, high, WHOLE)
-    seen = Phrase("seen-annulus" if sizes.near else "seen-disc", sizes.said())
+    told = sizes.said()
+    seen = Phrase("seen-annulus", told) if sizes.near else Phrase("seen-disc", {"far": told["far"]})
     return Plot(
         "workspace", axis(X, sizes.unit), axis(Y, sizes.unit), series, regions=regions,
         arms={Phrase("arm"): _arm(sizes.lengths)}, equal=True, unscaled=not sizes.known,

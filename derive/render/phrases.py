@@ -105,6 +105,15 @@ class Speech:
                 self.seen(says(tree, written), written)
                 return self.formula.format(written)
 
+    def seen_in(self, figure: Figure) -> str:
+        """What a figure shows, for those who do not see it: all of it. Raises PhraseError."""
+        if not figure.alt:
+            return self.say(figure.caption) if figure.caption else ""
+        told = {name for _, name, _, _ in Formatter().parse(self._line(figure.alt.key)) if name}
+        if left := sorted(figure.alt.about.keys() - told):
+            raise PhraseError(f"the words for '{figure.alt.key}' leave out {', '.join(left)}")
+        return self.say(figure.alt)
+
     def when(self, conditions: Iterable[Condition]) -> str:
         """Conditions that all hold: `elbow up, theta2 > 0`. Raises TypeError for a text, which is no list."""
         if isinstance(conditions, str):

@@ -31,7 +31,7 @@ def subject_figure(
             strong=skin.strong, em=skin.em,
         )  # fmt: skip
         caption = speech.say(problem.drawing.caption)
-        alt = spoken(problem.drawn_as, FIGURE).say(problem.drawing.alt or problem.drawing.caption)
+        alt = spoken(problem.drawn_as, FIGURE).seen_in(problem.drawing)
     return skin.figure(problem.figure, skin.caption(number, caption), alt)
 
 

@@ -186,7 +186,7 @@ class Telling(Displays):
         figure = next((each for each in self.d.plots if each.name == name), None)
         alt = caption
         if figure and figure.caption:
-            alt = Speech(self.speech.lines).say(figure.alt or figure.caption)
+            alt = Speech(self.speech.lines).seen_in(figure)
             caption = self.speech.say(figure.caption)
         path = self.plots[name]
         number = self.so_far.figure(path)

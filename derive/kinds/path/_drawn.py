@@ -7,9 +7,11 @@ from math import hypot
 
 from derive.algebra.numbers.floats import number, scalar_number
 from derive.derivation import Figure, Label, Panels, Phrase, Plot, Result
+from derive.errors import NotAsWritten
 from derive.expression import Call, Expr, Matrix, Symbol, symbols
 from derive.figures.axes import IN_TIME, axis, short
 from derive.kinds.bare_units import bare_units
+from derive.kinds.checks import close
 from derive.kinds.path._frenet import Bent
 from derive.kinds.path._naming import place_name
 from derive.kinds.path._timing import T_1, T_2, T
@@ -60,8 +62,10 @@ def curve_in_the_plane(
     """The path between two values of its parameter, its ends and what else is `marked` with dots."""
     _, (xs, ys) = _places(p, name, low, high)
     ends = [(xs[0], ys[0]), (xs[-1], ys[-1])]
-    told = dict(zip(("x_0", "y_0", "x_f", "y_f"), map(short, (*ends[0], *ends[1])), strict=True))
     rows = p.rows if isinstance(p, Matrix) else ()
+    if not close(ends, [[number(entry, {name: end}) for (entry,) in rows] for end in (low, high)]):
+        raise NotAsWritten("a path is not drawn from end to end")
+    told = dict(zip(("x_0", "y_0", "x_f", "y_f"), map(short, (*ends[0], *ends[1])), strict=True))
     between = [(number(rows[0][0], {name: at}), number(rows[1][0], {name: at})) for at in marked]
     return Plot(
         "path", axis(AXES[0], unit), axis(AXES[1], unit), {"": (tuple(xs), tuple(ys))},
