@@ -11,6 +11,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation, Phrase
+from derive.errors import NotAsWritten
 from derive.expression import ZERO, Indexed, Matrix, Symbol, free_symbols, symbols, transpose
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.pose.euler_angles import known_convention
@@ -32,6 +33,7 @@ from derive.mechanics.poses import rotation_part, skew
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, rows_of
 
+STILL = {False: "still", True: "all-still"}  # whether several joints come after the point
 CLAIMED = {"J": "differences|rates-agree"}
 
 DIFFERENCES = 1e-6  # what central differences leave
@@ -109,7 +111,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if not kinds.coupled:
         joints = [i for i, _ in found.moving]
         work = work.claim(sorts(problem, written, joints, kinds.turning, kinds.sliding, kinds.helical))
-    facts = _facts(found, point, kinds, made, end=options.point is None)
+    facts = _facts(found, point, kinds, made, value, end=options.point is None)
     return work.answer("jacobian", result, facts, matrices=frozenset(result))
 
 
@@ -169,15 +171,19 @@ def _pose(found: Chain, point: Tracked) -> ScalarMatrix:
     return found.T_tool if point.frame > len(found.T_local) else found.T[point.frame]
 
 
-def _facts(found: Chain, point: Tracked, kinds: Sorts, made: bool, end: bool) -> Facts:
+def _facts(found: Chain, point: Tracked, kinds: Sorts, made: bool, J_now: ScalarMatrix, end: bool) -> Facts:
+    """Raises NotAsWritten where a joint that is said not to move the point does."""
     still = tuple(i for i, _ in found.moving if i > point.last)
+    columns = dict(zip((i for i, _ in found.moving), J_now.T.rows, strict=False))
+    if not kinds.coupled and any(any(columns[i]) for i in still):
+        raise NotAsWritten("a joint that comes after the point moves it")
     key = "end" if end else "carried" if point.carried else "origin"
     where = Phrase(key, {"link": point.frame, "point": point.name})
     return Facts(
         point=where if made else None,
         sorts=kinds.told,
         helical=kinds.advancing,
-        still=Phrase("still", {"still": still}) if still and not kinds.coupled else None,
+        still=Phrase(STILL[len(still) > 1], {"still": still}) if still and not kinds.coupled else None,
     )
 
 

@@ -37,7 +37,7 @@ from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._velocity.functions import functions_given
-from derive.kinds.spaces._falls import falls, seen
+from derive.kinds.spaces._falls import Falls, falls, seen
 from derive.kinds.spaces._linear_map import LinearMap, MapOptions, linear_map
 from derive.kinds.spaces._nouns import nouns, nouns_hold
 from derive.kinds.spaces._span import Span, solution, span
@@ -108,8 +108,10 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
         results[key] = work[name] if basis else ()
     leads = _leads(found, spaces)
     lower = falls(found, spaces.rank, _nonzero(found)) if leads else None
-    if lower:
-        work = work.claim(route("rank-falls", seen(found, lower, spaces.rank, _places(found))))
+    everywhere = not leads and spaces.rank == min(found.J.shape)
+    if lower or everywhere:
+        fallen = lower or Falls((), (), just=False)
+        work = work.claim(route("rank-falls", seen(found, fallen, spaces.rank, _places(found))))
     velocities, wrenches, acting = nouns(found)
     work = work.claim(route("nouns", nouns_hold(found, velocities, wrenches, acting)))
     facts = Facts(
