@@ -92,9 +92,23 @@ class Sampled(Inside):
         spread = int(np.linalg.matrix_rank(self.places - self.places.mean(axis=0), SMALL * FAR))
         yield spread == DIRECTIONS.get(key, 3 if self.shape.kind == "ball" else 2) + isinstance(base, Phrase)
         yield not self.shape.measure or MEASURES[self.shape.measure] == spread
+        if self.shape.kind == "ball" and self.shape.called != "shell-part":
+            yield from self._is_bored()
         if key in LENS:
             middle = (self.places.min(axis=0) + self.places.max(axis=0)) / 2
             yield bool(self.holds(middle[None], 0.0)[0]) != LENS[key]
+
+    def _is_bored(self) -> Iterator[bool]:
+        """Whether it keeps away from the first axis just where that is said, by the side that is told."""
+        import numpy as np
+
+        z, o = self.lines[self.first]
+        least = float(np.linalg.norm(np.cross(self.places - o, z), axis=1).min())
+        size = float(np.abs(self.places - self.center).max())
+        side = numeric.number(self.shape.side, self.at)
+        yield abs(least - side) <= TOUCHING * size
+        bored = self.shape.description.key in ("bored-through", "outside-cylinder")
+        yield bored == self.shape.arm.key.endswith("aside") == (side > SMALL)
 
     def is_filled(self) -> bool:
         """Whether each cell of a coarse grid within the shape, or one beside it, holds a place."""

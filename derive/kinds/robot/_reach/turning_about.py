@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from math import pi
 from typing import Any
 
@@ -59,6 +60,7 @@ class TurningAbout:
                 (numeric.number(low, at), numeric.number(high, at)) for low, high in self._told(told, at)
             ]
             size = far + last
+            yield all(high < low - SMALL * size for (_, high), (low, _) in pairwise(pieces))
             for r in samples(size, COUNT):
                 if not near_an_end(pieces, r, NEAR * size):
                     yield holds(pieces, r) == (r + last <= far and abs(r - last) >= near)
