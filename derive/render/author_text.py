@@ -88,4 +88,8 @@ def _blocks(text: str, writer: Writer) -> str:
     reader = MarkdownIt("commonmark", {"html": False})
     reader.disable(["html_block", "html_inline", "reference"])
     reader.use(dollarmath_plugin, allow_labels=False, double_inline=True)
-    return writer.blocks(SyntaxTreeNode(reader.parse(text)))
+    tree = SyntaxTreeNode(reader.parse(text))
+    left = sum(node.content.count("$") for node in tree.walk() if node.type == "text")
+    if left > text.count("\\$") + 1:  # "5 $" is no formula
+        raise ValueError("a text has lost a formula: a dollar is left over")
+    return writer.blocks(tree)
