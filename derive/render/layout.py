@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
+from itertools import groupby
 from math import ceil
 from typing import TypeAlias
 
@@ -23,6 +24,7 @@ GAP = 2.0  # em between equations side by side
 INDENT, HANGING = r"&\quad ", 1.0  # of a sum that goes on in the next line, and its width in em
 SIGN_SPACE = 0.44  # em around a sign between terms, more than around one in front
 DEEPEST = 3  # brackets a break may stand inside
+INDEX = re.compile(r"_(\w|\{\w+\})$")
 SIGNED = ("-", "- ", "+ ")  # what stands before a fraction that begins a piece
 OPENING, FENCE = ("{", r"\left", r"\begin"), re.compile(r"\\(?:left|right).|\\begin|\\end|[{}()]")
 MANY = 5  # breaks between the rows of a column from which others stand beside it
@@ -68,7 +70,10 @@ def _laid_out(chains: tuple[Chain, ...], room: float) -> Display:
     widths = [width(line) for line in whole]
     if len(chains) == 1:
         return Display((whole[0],)) if widths[0] <= room else _broken(chains, room)
+    together = _of_one_index(chains)
     for count in _column_counts(len(chains)):
+        if count % together:
+            continue
         if _grid_width(chains, count) <= room:
             return Display(_packed(_rows(chains, count), room) or _grid_lines(chains, count))
     return _broken(chains, room)
@@ -78,6 +83,14 @@ def one_line(chain: Chain) -> str:
     """The chain as written in a line of text."""
     first, *rest = chain
     return " ".join((first.latex, *(f"{link.relation} {link.latex}" for link in rest)))
+
+
+def _of_one_index(chains: tuple[Chain, ...]) -> int:
+    """How many equations with one index follow each other, z_0 and o_0, then z_1 and o_1; 1 where they do
+    not come in such groups."""
+    found = [INDEX.search(chain[0].latex) for chain in chains]
+    groups = [len([*group]) for _, group in groupby(index and index[1] for index in found)]
+    return groups[0] if all(found) and len(groups) > 1 and len({*groups}) == 1 else 1
 
 
 def _column_counts(count: int) -> list[int]:
