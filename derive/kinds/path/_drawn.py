@@ -94,9 +94,7 @@ def over_time(
     unit, p = unit_of_places(problem), place_name(problem)
     curves = [_places(each, T.name, begin, whole, breaks) for each in place_and_rates]
     at, places = curves[0]
-    of_place: dict[Label, tuple[tuple[float, ...], tuple[float, ...]]] = {
-        name: (tuple(at), tuple(values)) for name, values in zip(AXES, places, strict=False)
-    }
+    of_place = {name: (tuple(at), values) for name, values in _apart(places)}
     speed_name, strong_name = (Call("abs", (Symbol(f"{p.name}_{dots}"),)) for dots in ("dot", "ddot"))
     speed, strong = (tuple(map(_size, zip(*values, strict=True))) for _, values in curves[1:])
     plots = (
@@ -106,6 +104,15 @@ def over_time(
     )
     told = {"time": short(whole), "speed": short(max(speed)), "strong": short(max(strong))}
     return Panels("motion", plots, caption=Phrase("drawn-motion"), alt=Phrase("seen-motion", {**told}))
+
+
+def _apart(places: Sequence[Sequence[float]]) -> Iterator[tuple[Label, tuple[float, ...]]]:
+    """Each curve once, by the names of all coordinates that it is the curve of."""
+    named = [*zip(AXES, map(tuple, places), strict=False)]
+    for k, (name, values) in enumerate(named):
+        same = tuple(other for other, its in named if close(values, its))
+        if not any(close(values, its) for _, its in named[:k]):
+            yield name if len(same) == 1 else Phrase("same-curve", {"names": same}), values
 
 
 def _size(vector: Sequence[float]) -> float:
