@@ -225,9 +225,14 @@ class _Choices:
                 & (self.boxes[:, None, 1] - ABOVE < boxes[None, :, 3])
                 & (boxes[None, :, 1] < self.boxes[:, None, 3] + ABOVE)
             )
-            meets |= _runs(tips[None], self.boxes[:, None]) | _runs(self.tips[:, None], boxes[None])
         meets[:, k] = False
-        best = int(np.argmin(self.cost + meets @ np.where(fixed, FIXED, MET)))
+        weights = np.where(fixed, FIXED, MET)
+        cost, seen = self.cost + meets @ weights, set[int]()
+        while (best := int(np.argmin(cost))) not in seen:  # lines are looked at where they may decide
+            seen.add(best)
+            meets[best] |= _run(tips, self.boxes[best]) | _run(self.tips[best], boxes)
+            meets[best, k] = False
+            cost[best] = self.cost[best] + meets[best] @ weights
         return best, [int(j) for j in np.flatnonzero(meets[best]) if not fixed[j]]
 
 
@@ -239,10 +244,10 @@ def _along(places: Any, boxes: Any) -> Any:
     return places[:, None] + np.linspace(0.0, 1.0, ALONG)[None, :, None] * (ends - places)[:, None]
 
 
-def _runs(tips: Any, boxes: Any) -> Any:
-    """Whether a line runs into a box, of all lines (n by m by ALONG by 2) and boxes (n by m by 4)."""
-    boxes = boxes[..., None, :]
-    inside = (tips > boxes[..., :2] - AIR) & (tips < boxes[..., 2:] + AIR)
+def _run(tips: Any, boxes: Any) -> Any:
+    """Whether lines run into a box, or a line into boxes (n by ALONG by 2, n by 4)."""
+    near = boxes[..., None, :]
+    inside = (tips > near[..., :2] - AIR) & (tips < near[..., 2:] + AIR)
     return inside.all(axis=-1).any(axis=-1)
 
 
