@@ -24,7 +24,7 @@ from derive.kinds.profile._units import units_of
 from derive.kinds.sure import place
 from derive.kinds.values_at import point_of
 from derive.mechanics import trapezoid
-from derive.mechanics.course import Course
+from derive.mechanics.course import Course, at
 from derive.mechanics.profile import Axis, Profile, Units
 
 CLAIMED = dict.fromkeys(("a", "solutions", "t_1", "t_2", "t_3", "t_min", "v"), "as-told|on-axis|too-short")
@@ -177,12 +177,23 @@ def _drawn_again(
         whole = max(each.t_3 for each in found) if time is None else time
         together = found if len(found) == 1 else [_searched(axis, whole, point) for axis in profile.axes]
         yield route("marked", _switch_there(together, _moments(drawn)))
+        sizes = [abs(value_of(axis.distance, point)) for axis in profile.axes]
+        yield route("marked", _drawn_so(drawn, together, sizes))
 
 
 def _switch_there(searched: Sequence[trapezoid.Switching], marked: Mapping[Expr, float]) -> Iterator[bool]:
     """Whether every axis switches at the times that are marked."""
     for name, time in marked.items():
         yield from (close(getattr(each, text(name)), time, NEARLY) for each in searched)
+
+
+def _drawn_so(
+    drawn: Found, searched: Sequence[trapezoid.Switching], sizes: Sequence[float]
+) -> Iterator[bool]:
+    """Whether what is drawn of every axis is as fast and as strong, and goes as far."""
+    for each, other, size in zip(drawn, searched, sizes, strict=True):
+        way = trapezoid.course(each)
+        yield close([each.v, each.a, at(way, way[-1].end)], [other.v, other.a, size], NEARLY)
 
 
 def _searched(axis: Axis, time: float | None, point: Mapping[str, float]) -> trapezoid.Switching:

@@ -32,10 +32,11 @@ if TYPE_CHECKING:
 
 TRIES, POINTS, RADII = 200, 2, 60
 CELLS = {1: 40, 2: 24, 3: 9}  # of the bounding box in each direction, by its dimensions
-THROWN = 200_000  # places at random in the bounding box
+FINE = {1: 10_000, 2: 700, 3: 90}  # the same, for its size
 NEAR = 4.0  # up to where an endless workspace is looked at
 APART = 0.25  # the ends of a range that is drawn; typed ones are taken as they are
-CLOSE = 0.03  # relative: of a size by that
+CLOSE = {1: 1e-3, 2: 4e-3, 3: 4e-3}  # relative: of a size by that
+AN_END = 0.03  # of the reach: how near to an end of a ring nothing is looked at
 TOUCHING = 0.02  # relative: how near a grid of joint values comes to an extreme
 HOLLOW = {"annulus": True, "stadium-hole": True, "sector-hole": True, "outside": True, "shell": True,
           "outside-ball": True, "disc": False, "full-ball": False, "sector": False}  # fmt: skip
@@ -137,15 +138,18 @@ class Sampled(Inside):
         return bool(spread[tuple((middles[wanted] + 2).T)].all())
 
     def measured(self, told: float) -> bool:
-        """Whether as many of the places thrown at random lie within the shape."""
+        """Whether as many places lie within the shape, of one in each cell of a fine grid."""
         import numpy as np
 
         seen = (self.places - self.center) @ self.basis.T
         k = seen.shape[1]
         low, high = (getattr(seen, pick)(axis=0) for pick in ("min", "max"))
-        thrown = low + (high - low) * np.random.default_rng(0).random((THROWN, k))
-        share = float(self.holds(self._placed(thrown), 0.0).mean())
-        return close(share * float(np.prod(high - low)) / told, 1.0, CLOSE)
+        room = TOUCHING * (high - low)
+        low, wide = low - room, high - low + 2 * room
+        cells = np.stack(np.meshgrid(*[np.arange(FINE[k])] * k, indexing="ij"), -1).reshape(-1, k)
+        somewhere = (cells + np.random.default_rng(0).random(cells.shape)) / FINE[k]
+        share = float(self.holds(self._placed(low + wide * somewhere), 0.0).mean())
+        return close(share * float(np.prod(wide)) / told, 1.0, CLOSE[k])
 
     def _placed(self, seen: Array) -> Array:
         import numpy as np
@@ -223,7 +227,7 @@ def _turned_about(shape: Shape, rings: Rings, at: Values) -> Iterator[bool]:
         numeric.number(each, at) for each in (shape.link, shape.gap or ZERO, shape.distance.high or ZERO)
     )
     for r in samples(high, RADII):
-        if not near_an_end(pieces, r, CLOSE * high):
+        if not near_an_end(pieces, r, AN_END * high):
             yield holds(pieces, r) == (r + 2 * link <= high and abs(r - link) >= gap)
 
 
