@@ -260,10 +260,10 @@ def listed(table: Table) -> list[Sample]:
 
 def called_so(facts: Facts, told: Mapping[str, float], void: bool) -> Iterator[bool]:
     """Whether a hole along the axis and a void are told just where they are."""
-    assert facts.section and facts.section.counts and facts.description
-    key = facts.description.key
+    assert facts.section and facts.description
+    key, counts = facts.description.key, facts.section.counts
     yield ("pierced" in key) == (told["r_min"] > 0)
-    yield ("hollow" in key) == ("void" in facts.section.counts.key) == void
+    yield ("hollow" in key) == (counts is not None and "void" in counts.key) == void
 
 
 def in_its_part(plot: Plot, sample: Sample) -> bool:

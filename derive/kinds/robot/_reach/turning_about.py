@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import combinations, pairwise
 from math import pi
 from typing import Any
 
@@ -74,6 +74,27 @@ class TurningAbout:
             inside = (r for r in samples(size, FINE) if r + last <= far and abs(r - last) >= near)
             apart = numeric.number(area, at) - 2 * pi * width * sum(inside)
             yield abs(apart) < BORDERS * 2 * pi * size * width
+
+    @property
+    def is_of_two_links(self) -> bool:
+        """Whether just two joints move the point, and both turn."""
+        rows = moving_joints(self.found, self.point.position, self.point.last)
+        return [self.found.joint(i).type for i in rows] == ["revolute"] * 2
+
+    def at_the_base(self, key: str) -> Iterator[bool]:
+        """Whether the end of two links turns about the base just where that is said: always, with links of
+        one length, or never."""
+        letters = sorted(self.problem.symbols - {*self.found.variables})
+        for at in self.points:
+            always = self._folds(at)
+            ever = any(self._folds({**at, one: at[other]}) for one, other in combinations(letters, 2))
+            yield always == (key == "the-base")
+            yield ever == (key == "empty-or-the-base") or always
+
+    def _folds(self, at: Values) -> bool:
+        """Whether the end comes to the first axis."""
+        near, far, last = self._others(at)
+        return near - SMALL * far <= last <= far + SMALL * far
 
     def _told(self, told: Rings, at: Values) -> list[tuple[Any, Any]]:
         """The rings at these lengths; where they depend on the lengths, by the borders that are told."""
