@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import inf
 
+from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point, completed
 from derive.algebra.numbers.floats import number as value_of
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, free_symbols, is_negative
+from derive.kinds.checks import close
 from derive.kinds.problem import Problem
 from derive.kinds.profile._shapes import TIME
 from derive.kinds.profile._units import units_of
+from derive.kinds.somewhere import Somewhere
 from derive.kinds.work import Work
 from derive.mechanics.profile import Profile
 from derive.names import named
@@ -83,6 +86,17 @@ def _typed(profile: Profile) -> list[tuple[Expr | None, ...]]:
     if journey is None:
         raise NotDerivable("a distance is needed")
     return [(journey.end - journey.start, journey.v_max, journey.a_max)]
+
+
+def as_typed(profile: Profile, work: Work, axes: tuple[Limited, ...]) -> Iterator[bool]:
+    """Whether each distance is that from where a motion starts to where it ends, in numbers."""
+    at = Somewhere({Symbol(name): value for name, value in work.problem.where.items()})
+    journey = profile.journey
+    ways = [arrays(axis.distance, at) for axis in profile.axes if axis.distance is not None]
+    if journey and not ways:
+        ways = [arrays(journey.end, at) - arrays(journey.start, at)]
+    for axis, way in zip(axes, ways, strict=True):
+        yield close(arrays(work[axis.d], at), -way if axis.backwards else way)
 
 
 def given_of(work: Work, axes: tuple[Limited, ...]) -> tuple[tuple[Expr, Expr, int | None], ...]:

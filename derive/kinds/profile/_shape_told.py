@@ -15,7 +15,7 @@ from derive.kinds.checks import law, route
 from derive.kinds.fields import TREES
 from derive.kinds.meanings import Chain
 from derive.kinds.profile._fixed_shape import Case, Shaped, as_told, names_of, reached, right_case
-from derive.kinds.profile._limited import given_of
+from derive.kinds.profile._limited import as_typed, given_of
 from derive.kinds.profile._minimum_told import NUMBERS, CaseTold, Facts, begins
 from derive.kinds.profile._shapes import PEAKS, TAU, TIME, WAY
 from derive.mechanics import shapes
@@ -120,7 +120,7 @@ def courses_of(each: Shaped, case: Case, point: Point, start: Expr) -> dict[Labe
     return found
 
 
-def claims_of(each: Shaped, facts: Facts, steps: Sequence[Step]) -> Iterator[Claim]:
+def claims_of(each: Shaped, facts: Facts, steps: Sequence[Step], profile: Profile) -> Iterator[Claim]:
     """The chains, every line as it is printed against the search, and what is said beside them."""
     chains = {step.name: step.chain for step in steps}
     shared = [chains[step.name] for step in each.base.steps]
@@ -134,7 +134,7 @@ def claims_of(each: Shaped, facts: Facts, steps: Sequence[Step]) -> Iterator[Cla
     names = partial(names_of, each)
     yield route("as-told", (right for case, lines in told_of for right in as_told(each, case, lines, names)))
     yield route("right-case", right_case(each))
-    yield law("said", _said(each, facts))
+    yield law("said", (*as_typed(profile, each.base, each.axes), *_said(each, facts)))
     if facts.table is not None:
         cells = [[value_of(cell, {}) for cell in row if isinstance(cell, TREES)] for row in facts.table.rows]
         reached_told = {name: [row[k] for row in cells] for k, name in enumerate(PEAKS, 1)}

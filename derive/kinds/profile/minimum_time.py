@@ -83,7 +83,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     facts = facts_of(each, profile, at_point(outcomes[met]) if open_ else None, bool(courses))
     steps = tuple(steps_of(each))
     plots: tuple[Figure, ...] = ()
-    claims = [*claims_of_shape(each, facts, steps), law("drawn", facts.drawn == bool(courses))]
+    claims = [*claims_of_shape(each, facts, steps, profile), law("drawn", facts.drawn == bool(courses))]
     if courses:
         end = next(iter(courses.values()))[-1].end
         typed = any(isinstance(node, Degrees) for _, tree in options.evaluate or () for node in walk(tree))

@@ -25,7 +25,7 @@ from derive.kinds.checks import law, route
 from derive.kinds.fields import TREES, Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._fixed_shape import Shaped, as_told, reached, right_case
-from derive.kinds.profile._limited import given_of
+from derive.kinds.profile._limited import as_typed, given_of
 from derive.kinds.profile._minimum_told import Outcome, evaluated_of, met_of, results_of
 from derive.kinds.profile._scaled import LETTERS, NEW, K, after_of, names_of, scaled, time_named
 from derive.kinds.profile._shape_told import (
@@ -210,7 +210,7 @@ def _claims(
 
     yield route("as-told", right())
     yield route("right-case", right_case(each))
-    yield law("said", _said(each, facts, T))
+    yield law("said", (*as_typed(profile, each.base, each.axes), *_said(each, facts, T)))
     if facts.table is not None:
         for columns in _of_axes(each, facts.table):
             yield route("on-axes", reached(each, columns))
