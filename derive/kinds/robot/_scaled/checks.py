@@ -131,6 +131,7 @@ def keeps(demands: Demands, told: Told) -> Iterator[bool]:
 
     k = max(each.k for each in demands.peaks)
     moved, most = Moved(demands, k), np.array(demands.most)
+    yield from (0 <= each.t <= demands.whole for each in demands.peaks)
     for place in range(GRID + 1):
         yield bool((abs(moved.torques(demands.whole * place / GRID)) <= most * (1 + LOOSE)).all())
     joint = told.active.about["joint"]
