@@ -21,6 +21,7 @@ from derive.expression import (
     Degrees,
     Expr,
     Matrix,
+    Measured,
     Number,
     Product,
     Sum,
@@ -268,14 +269,17 @@ class Telling:
         return {"when": when, "real": branch.get("real", True), "equations": equations}
 
     def _tells(self, chain: Chain, value: Any, name: str) -> bool:
-        """Whether an equation ends in the value, in a unit that its formula has, in degrees only where it is
-        an angle or its rate."""
+        """Whether an equation ends in the value with its unit, which its formula has too, in degrees only
+        where it is an angle or its rate."""
         tree = chain[-1].tree
         if tree is None or not same_numbers(tree, value):
             return False
         if isinstance(value, TREES):
             return True
         unit = self.unit(name)
+        behind = unit.removeprefix("deg")
+        if value and behind not in ("", "rad") and not (isinstance(tree, Measured) and tree.unit == behind):
+            return False  # radians may be multiples of pi
         turned = any(isinstance(node, Degrees) for node in walk(tree))
         return turned <= unit.startswith("deg") and self.units.agrees(name, unit)
 

@@ -136,7 +136,7 @@ class _Told:
     def things(self, results: Mapping[str, Result]) -> Iterator[Thing]:
         """Those whose value is written in symbols of the sheet and names of numbers."""
         board = ((name.name, tree) for name, tree in self._own() if isinstance(name, Symbol))
-        for name, tree in _different((*board, *results.items())):
+        for name, tree in _different((*board, *self._shown(), *results.items())):
             if isinstance(tree, TREES) and self._names_in(tree) <= self._valued:
                 yield from self._things(name, tree)
         for named, tree in self._own():
@@ -147,6 +147,13 @@ class _Told:
                 for whole in self._things(step.name, step.result):
                     entry = partial(_entry_of, whole.meaning, _numbers(symbol.name))
                     yield Thing(as_matrix(step.result, step.name).rows[i][j], entry, whole.indices)
+
+    def _shown(self) -> Iterator[tuple[str, Expr]]:
+        """The heads of lines that are shown beside the board, with what they end in."""
+        for step in self.work.steps:
+            head = step.chain[0] if len(step.chain) > 1 and step.rule != "law" else None
+            if isinstance(head, Symbol) and head not in self.work.definitions:
+                yield head.name, step.result
 
     def _things(self, name: str, tree: Expr) -> Iterator[Thing]:
         for pattern, meaning in self.meanings.items():

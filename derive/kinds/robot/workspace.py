@@ -195,6 +195,8 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
         everywhere = rings_within(problem, shape.far_start, shape.link, shape.gap or ZERO)
     work = work.claim(*sampled.claims(problem, found, point, shape, steps, told, everywhere))
     plots = tuple(drawn.plots(problem, found, point, shape, told, options.evaluate or ()))
+    limits = _limits(problem, found, shape)
+    work = work.law("called", _limits_listed(problem, shape.rows, limits))
     facts = Facts(
         arm=shape.arm,
         shoulder=None,
@@ -206,7 +208,7 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
         orientations=_in_lengths(problem, orientations),
         secondary=_in_lengths(problem, described(everywhere)) if everywhere else None,
         plots=tuple(plot.name for plot in plots),
-        limits=_limits(problem, found, shape),
+        limits=limits,
         limited=Limits(
             distances=tuple(name for name in ("r_max", "r_min") if name in told),
             measure=shape.measure,
@@ -245,6 +247,13 @@ def _limits(problem: Problem, found: Chain, shape: Shape) -> Phrase:
     if not told and any(found.joint(i).type == "prismatic" for i in shape.rows):
         key = "slides-without-limits"
     return Phrase(key, {"ranges": told, "rest": rest})
+
+
+def _limits_listed(problem: Problem, rows: tuple[int, ...], said: Phrase) -> Iterator[bool]:
+    """Whether just the joints with ranges are said to have them."""
+    ranged = sum(problem.subject.links[i - 1].range is not None for i in rows)
+    yield ("within" in said.key) == (ranged > 0)
+    yield said.key.endswith("but") == (0 < ranged < len(rows))
 
 
 def _rise(shape: Shape) -> Phrase | None:

@@ -41,6 +41,7 @@ TOUCHING = 0.02  # relative: how near a grid of joint values comes to an extreme
 HOLLOW = {"annulus": True, "stadium-hole": True, "sector-hole": True, "outside": True, "shell": True,
           "outside-ball": True, "disc": False, "full-ball": False, "sector": False}  # fmt: skip
 DIRECTIONS = {"segment": 1, "whole-line": 1, "box": 3, "endless-box": 3, "whole-space": 3}  # most have two
+ENDLESS = ("endless", "whole", "outside", "strip")  # what such a one is called
 MEASURES = {"area": 2, "volume": 3}
 LENS = {"stadium": False, "stadium-hole": True}
 
@@ -88,8 +89,11 @@ class Sampled(Inside):
         the middle of what a rail sweeps is left out just where that is said."""
         import numpy as np
 
-        base = self.shape.description.about.get("base")
-        key = base.key if isinstance(base, Phrase) else self.shape.description.key
+        description = self.shape.description
+        base = description.about.get("base")
+        key = base.key if isinstance(base, Phrase) else description.key
+        parts = [each for each in description.about.values() if isinstance(each, Phrase)]
+        yield self._is_endless == any(each.key.startswith(ENDLESS) for each in (description, *parts))
         spread = int(np.linalg.matrix_rank(self.places - self.places.mean(axis=0), SMALL * FAR))
         yield spread == DIRECTIONS.get(key, 3 if self.shape.kind == "ball" else 2) + isinstance(base, Phrase)
         yield not self.shape.measure or MEASURES[self.shape.measure] == spread
