@@ -40,9 +40,8 @@ def _column(heading: Cell, cells: Sequence[Cell], values: Values) -> tuple[tuple
     unit = unit or _typed(cells)
     if unit.startswith("deg"):
         return tuple(_without_degrees(cell, values) for cell in cells), unit
-    if any(isinstance(cell, Degrees) for cell in cells):
-        cells = [Degrees(Fraction(0)) if cell == ZERO else cell for cell in cells]
-    return tuple(_said(cell, values) for cell in cells), unit
+    zero = next((Degrees(Fraction(0)) for cell in cells if isinstance(cell, Degrees)), ZERO)
+    return tuple(_said(zero if cell == ZERO else cell, values) for cell in cells), unit
 
 
 def _typed(cells: Sequence[Cell]) -> str:
