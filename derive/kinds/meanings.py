@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
+from math import isfinite
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from derive.algebra.numbers.floats import FUNCTIONS, Point, completed, number
@@ -80,7 +81,8 @@ def _gaps(chains: Iterable[Chain], names: Names) -> Iterator[float]:
         for value in values[1:]:
             scale = max([1.0, *map(abs, value), *map(abs, values[0])])
             same = len(value) == len(values[0])
-            yield max(abs(a - b) for a, b in zip(value, values[0], strict=True)) / scale if same else 1.0
+            gaps = [abs(a - b) for a, b in zip(value, values[0], strict=same)]
+            yield max(gaps) / scale if same and all(map(isfinite, gaps)) else 1.0
 
 
 def _meant(chain: Chain, names: Names) -> Chain:

@@ -45,4 +45,4 @@ def has_room(table: Table, printer: Printer) -> bool:
 
 def abridged(rows: tuple[tuple[Cell, ...], ...], most: int) -> tuple[tuple[Cell, ...], ...]:
     """The rows of a table, the middle left out where there are more."""
-    return rows if len(rows) <= most else (*rows[: most - 2], ("...",) * len(rows[0]), rows[-1])
+    return rows if len(rows) <= most else (*rows[: most - 2], ("...",) * len(rows[0]), *rows[-1:])

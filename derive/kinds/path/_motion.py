@@ -11,6 +11,7 @@ from derive.algebra.formulas.with_units import measured
 from derive.derivation import Phrase, Record, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Relation, Symbol, free_symbols
+from derive.kinds.chain_rule import chain_rule
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
 from derive.kinds.path._frenet import Bent
@@ -108,8 +109,11 @@ def in_motion(work: Work, found: Bent, timing: Timing, page_names: Mapping[str, 
         )
         for k, piece in enumerate(time.pieces)
     )
-    work = time.work.showing(*chain(*laws)).line(p_dot, found.first * s_dot)
-    work = work.line(p_ddot, found.first * s_ddot + found.second * s_dot**2)
+    velocity = found.first * s_dot
+    acceleration = found.first * s_ddot + found.second * s_dot**2
+    work = time.work.showing(*chain(*laws)).line(p_dot, velocity).line(p_ddot, acceleration)
+    rule = chain_rule((velocity, acceleration), (found.first, found.second), time.names)
+    work = work.claim(route("timed", rule))
     on_page = {**page_names, "v": p_dot.name, "a": p_ddot.name, "time": time.time.name}
     return Moved(work, found, time, laws, (p_dot, p_ddot), on_page)
 

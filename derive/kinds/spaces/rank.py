@@ -295,7 +295,17 @@ def _judged(
     )
     basis = _names(problem)[-1] if spaces.left else None
     told = replace(facts, judged="feasible", free=free_ones, left=basis)
+    if basis:  # what the velocity is multiplied by is no other basis
+        work = work.claim(route("velocity-met", _meets(found, work[basis], typed)))
     return work.claim(route("velocity-met", met)), told, {"feasible": True, "qdot": work[RATES]}
+
+
+def _meets(found: LinearMap, basis: Expr, typed: Expr) -> Iterator[bool]:
+    """Whether the columns of a basis are perpendicular to the range, and to the velocity."""
+    for at in islice(_places(found, typed), POINTS):
+        U = arrays(basis, at)
+        both = U.T @ found.numbers(at), U.T @ arrays(typed, at)
+        yield all(close(each, 0 * each, SMALL) for each in both)
 
 
 def _misses(found: LinearMap, typed: Expr, at: Point) -> bool:

@@ -63,7 +63,7 @@ def within_limits(given: Given, board: Board) -> tuple[Found, Limited]:
         board, told = _turn(given, board, k, turn, again)
         turns.append(told)
     (s,) = names_of(board.problem, "s")
-    board = board.line(s, value=ScalarMatrix.column([found.share]), again=again.share(found.share), label="s")
+    board = board.line(s, value=ScalarMatrix.column([found.share]), again=again.share, label="s")
     formula: Expr = _named(given, "u", found.best + 1)
     if found.share != 1:
         formula = _formula(turns[found.best], J, multiply(s, V))
@@ -167,9 +167,15 @@ class _Again:
             low, high = (middle, high) if fits(middle) else (low, middle)
         return min(low, 1.0)
 
-    def share(self, told: Fraction) -> Callable[[Seen], Any]:
-        """The largest share of all steps."""
-        return lambda seen: max(self.largest(seen, k) for k in range(self.rounds))
+    def share(self, seen: Seen) -> float:
+        """The largest share of all steps; no number where one more could be made."""
+        import numpy as np
+
+        limits = np_column(self.limits)
+        columns, _, rates = by_numpy(seen[self.J], seen[V], np.array(self.limits), self.rounds + 1)
+        kept = bool((np.abs(rates[self.rounds - 1]) <= limits * (1 + 1e-9)).all())
+        over = np.linalg.matrix_rank(columns[self.rounds], 1e-8) < len(seen[V])
+        return max(self.largest(seen, k) for k in range(self.rounds)) if kept or over else math.nan
 
     def rates(self, best: int, s: Symbol) -> Callable[[Seen], Any]:
         def again(seen: Seen) -> Any:
