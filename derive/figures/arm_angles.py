@@ -16,14 +16,8 @@ NEARLY = 0.02  # rad: directions that are drawn as one
 WIDE, NARROW = 1.7, 1.2  # sizes of a joint: an arc, and one that ends at an arrow
 RAY = 2.3  # and the lines that an arc begins and ends at
 SHORT, BEYOND = 2.6, 0.45  # a shorter offset along its axis is part of the cylinder of a joint, which goes on
-ENDS, BESIDE = (
-    (75.0, 55.0, 95.0, 35.0),
-    (0.0, 0.3, -0.3),
-)  # degrees: where an arc ends; sizes: where on a joint
-HEAD, FREE = (
-    5,
-    0.22,
-)  # places of an arc that its head covers, and how many sizes of a joint stay free about it
+ENDS, BESIDE = (75.0, 55.0, 95.0, 35.0), (0.0, 0.3, -0.3)  # degrees where an arc ends; sizes along a joint
+HEAD, FREE = 5, 0.22  # places of an arc under its head; sizes of a joint that stay free about it
 SHARES = 24  # pieces of an arc
 
 Marked = tuple[list[Stroke], list[Caption]]

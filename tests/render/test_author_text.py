@@ -75,3 +75,7 @@ def test_no_line_ends_between_a_number_and_its_unit() -> None:
     assert latex_prose("20 N m") == "20~N~m"
     assert html_prose("in 0.5 s") == 'in <span class="held">0.5 s</span>'
     assert markdown_prose("see `2 m` of 2 m").count("\xa0") == 0
+
+
+def test_a_lone_dollar_is_a_dollar() -> None:
+    assert markdown_prose("5 $ and *more*") == r"5 \$ and *more*"

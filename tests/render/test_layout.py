@@ -25,6 +25,14 @@ def test_a_wide_chain_breaks_at_an_equal_sign() -> None:
     assert lay_out((chain("a", WIDE, WIDE),)).lines == (f"a &= {WIDE}", f"&= {WIDE}")
 
 
+def test_equations_of_one_index_stand_in_one_row() -> None:
+    column = r"\begin{bmatrix} a + b + c + d \\ 0 \\ 1 \end{bmatrix}"
+    pairs = tuple(chain(f"{letter}_{k}", column) for k in range(3) for letter in "zo")
+    assert [line.count("&=") for line in lay_out(pairs).lines] == [2, 2, 2]
+    apart = tuple(chain(f"z_{k}", column) for k in range(6))
+    assert [line.count("&=") for line in lay_out(apart).lines] == [3, 3]
+
+
 def test_a_wide_sum_breaks_between_its_terms() -> None:
     display = lay_out((chain("a", " - ".join([WIDE] * 4)),))
     assert len(display.lines) > 2 and not display.wide

@@ -4,11 +4,11 @@ import pytest
 from jinja2 import ChoiceLoader, DictLoader
 
 from derive.algebra.formulas.grammar import parse
-from derive.derivation import Condition, Phrase
+from derive.derivation import Condition, Phrase, Plot
 from derive.expression import Degrees, Relation, Symbol, number
 from derive.render.latex import Printer
 from derive.render.notation import Notation
-from derive.render.phrases import PhraseError, on_page, spoken
+from derive.render.phrases import PhraseError, Speech, on_page, spoken
 from derive.render.plain_text import markdown_text
 from derive.render.skin import environment
 
@@ -79,3 +79,11 @@ def test_words_that_are_not_written_as_they_have_to_be(monkeypatch: pytest.Monke
     monkeypatch.setattr(environment(), "loader", wrong)
     with pytest.raises(PhraseError, match="is 'key: words', not 'elbow-up elbow up'"):
         spoken("any", "kind")
+
+
+def test_whoever_does_not_see_a_figure_is_told_all_of_it() -> None:
+    speech = Speech({"seen": "from {start} to {end}", "less": "from {start}"})
+    told = {"start": "1", "end": "2"}
+    assert speech.seen_in(Plot("p", "x", "y", {}, alt=Phrase("seen", told))) == "from 1 to 2"
+    with pytest.raises(PhraseError, match="leave out end"):
+        speech.seen_in(Plot("p", "x", "y", {}, alt=Phrase("less", told)))
