@@ -7,8 +7,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from math import isclose
 
-from derive.algebra.formulas.dimensions import comparable
-from derive.algebra.formulas.units import dimension_of
+from derive.algebra.formulas.dimensions import Unlike, comparable, dimension_of_formula
+from derive.algebra.formulas.units import Dimension, dimension_of
 from derive.algebra.numbers.floats import number
 from derive.derivation import Phrase
 from derive.errors import NotAsWritten, NotDerivable
@@ -19,7 +19,9 @@ from derive.expression import (
     Matrix,
     Measured,
     Product,
+    Symbol,
     free_symbols,
+    replace,
     walk,
 )
 
@@ -35,6 +37,8 @@ def hold_as_said(found: Chain, said: Chain, units: Mapping[Expr | Phrase, str]) 
         raise NotAsWritten(f"{found[-1]!r} is said as another value")
     if len(said) > 1 and not _measures(said[0], said[-1], units):
         raise NotAsWritten(f"{said[0]!r} is not measured in what its value is said in")
+    if not _are_alike([*filter(None, map(_dimension, said))]):
+        raise NotAsWritten(f"what {said[0]!r} is equal to is not measured alike")
 
 
 # -- the number ---------------------------------------------------------------------------------------
@@ -82,6 +86,27 @@ def _measures(name: Expr, said: Expr, units: Mapping[Expr | Phrase, str]) -> boo
     if not wanted or free_symbols(value) or all(entry == ZERO for entry in _entries(value)):
         return True
     return comparable(dimension_of(wanted), dimension_of(_unit(said)))
+
+
+def _are_alike(dimensions: Sequence[Dimension]) -> bool:
+    return all(comparable(each, dimensions[0]) for each in dimensions)
+
+
+def _dimension(tree: Expr) -> Dimension | None:
+    """Of a formula of quantities, by the units that are printed in it. None where none are, or names are
+    left. Raises NotAsWritten where unlike ones are added."""
+    quantities: dict[Expr, Symbol] = {
+        node: Symbol(_unit(node)) for node in walk(tree) if isinstance(node, Measured)
+    }
+    if not quantities or free_symbols(tree) or any(isinstance(node, Matrix) for node in walk(tree)):
+        return None
+    known = {unit.name: dimension_of(unit.name) for unit in quantities.values()}
+    try:
+        return dimension_of_formula(replace(tree, {**quantities}), known)
+    except Unlike as error:
+        raise NotAsWritten(str(error)) from error
+    except NotDerivable:
+        return None
 
 
 def _unit(said: Expr) -> str:

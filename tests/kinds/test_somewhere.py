@@ -1,4 +1,4 @@
-"""Chains in floats: a normal form that is wrong on both sides is contradicted; no number agrees with nothing."""
+"""Chains in floats: what is wrong on both sides of a link is contradicted; nothing agrees with no number."""
 
 from __future__ import annotations
 

@@ -151,12 +151,13 @@ def _said(motion: Motion, time: Timed, found: Bent) -> Iterator[bool]:
     """Whether each piece is what it is called, by the change of the velocity."""
     changes = [piece.laws[2] for piece in time.pieces]
     yield len(motion.pieces) == len(changes) == {"cubic": 1, "quintic": 1}.get(time.law, 2 + time.reached)
-    for told_as, change in zip(motion.pieces, changes, strict=True):
+    for told_as, piece, change in zip(motion.pieces, time.pieces, changes, strict=True):
         if told_as.said is None:
             yield len(changes) == 1
         else:
             keys = {1: "speeds-up", -1: "slows-down", 0: "goes-evenly", None: told_as.said.key}
             yield told_as.said.key == keys[time.work.sign(change)]
+            yield told_as.said.about["when"] == piece.when
     if motion.test is not None and time.ramps is not None:
         fits = time.work.sign(time.way - time.ramps) == 1
         yield motion.test.key == ("ramps-fit" if fits else "ramps-too-long")
