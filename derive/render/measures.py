@@ -33,8 +33,7 @@ Chain = Sequence[Expr]
 def hold_as_said(found: Chain, said: Chain, units: Mapping[Expr | Phrase, str]) -> None:
     """Raises NotAsWritten where what a chain ends in is said as another number, or its value in what the name
     at its head does not measure."""
-    if not _alike(found[-1], said[-1]):
-        raise NotAsWritten(f"{found[-1]!r} is said as another value")
+    hold_number(found[-1], said[-1])
     if len(said) > 1 and not _measures(said[0], said[-1], units):
         raise NotAsWritten(f"{said[0]!r} is not measured in what its value is said in")
     if not _are_alike([*filter(None, map(_dimension, said))]):
@@ -42,6 +41,12 @@ def hold_as_said(found: Chain, said: Chain, units: Mapping[Expr | Phrase, str]) 
 
 
 # -- the number ---------------------------------------------------------------------------------------
+
+
+def hold_number(found: Expr, said: Expr) -> None:
+    """Raises NotAsWritten where a value is said as another number."""
+    if not _alike(found, said):
+        raise NotAsWritten(f"{found!r} is said as another value")
 
 
 def _alike(found: Expr, said: Expr) -> bool:

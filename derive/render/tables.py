@@ -8,7 +8,8 @@ from fractions import Fraction
 from typing import get_args
 
 from derive.derivation import Cell, Table
-from derive.expression import ZERO, Approximate, Degrees, Expr, Number, free_symbols
+from derive.expression import PI, ZERO, Approximate, Degrees, Expr, Number, free_symbols, number
+from derive.render.measures import hold_number
 from derive.render.values import Values
 
 TREES = get_args(Expr)
@@ -16,13 +17,23 @@ SUPERSCRIPTS = {"^2": "²", "^3": "³"}
 
 
 def columns_of(table: Table, values: Values) -> tuple[Table, tuple[str, ...]]:
-    """The table with its numbers as they are printed, and the unit of each column, "" where it has none."""
+    """The table with its numbers as they are printed, and the unit of each column, "" where it has none.
+    Raises NotAsWritten where a cell is said as another number."""
     columns = [
         _column(heading, column, values)
         for heading, column in zip(table.headings, zip(*table.rows, strict=True), strict=True)
     ]
     rows = tuple(zip(*(cells for cells, _ in columns), strict=True))
+    for k, (_, unit) in enumerate(columns):
+        for found, said in zip(table.rows, rows, strict=True):
+            _hold(found[k], said[k], unit)
     return Table(table.headings, rows), tuple(unit for _, unit in columns)
+
+
+def _hold(found: Cell, said: Cell, unit: str) -> None:
+    if isinstance(found, TREES) and isinstance(said, TREES):
+        turned = unit.startswith("deg") and not isinstance(said, Degrees)
+        hold_number(found, said * PI / number(180) if turned else said)
 
 
 def unit_text(unit: str) -> str:

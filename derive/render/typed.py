@@ -45,7 +45,10 @@ def relettered(written: str, printed: Collection[Printed], letters: Lettering) -
     def changed(formula: re.Match[str]) -> str:
         return formula[0] if formula[1] in ours else f"${letters.latex(formula[1])}$"
 
-    return INLINE.sub(changed, written)
+    found = INLINE.sub(changed, written)
+    if found.count("$") != written.count("$"):
+        raise ValueError("a text has lost a formula: a dollar is left over")
+    return found
 
 
 def _lines(display: re.Match[str]) -> tuple[str, ...]:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from itertools import islice
 
+from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Derivation, Figure, Label, Phrase, Said
+from derive.errors import NotAsWritten
 from derive.expression import ZERO, Expr, Relation, squared, subtract
 from derive.figures.courses import panels
-from derive.kinds.checks import law, random_points, route
+from derive.kinds.checks import close, law, random_points, route
 from derive.kinds.fields import TREES, Place
 from derive.kinds.meanings import Chain, Names, farthest
 from derive.kinds.problem import Problem
@@ -19,6 +21,7 @@ from derive.kinds.profile._shapes import TIME
 from derive.kinds.profile._switched import D_B, T_1, T_2, V_P, Motion, V, names_of, switched
 from derive.kinds.values_at import point_of
 from derive.mechanics.course import Course
+from derive.mechanics.course import at as value_at
 from derive.mechanics.profile import Profile
 from derive.mechanics.switching import Switched, Ways, course, searched
 
@@ -190,4 +193,9 @@ def _plots(
         return ()
     moments: dict[Expr, float] = {T_1: t_1, **({T_2: t_2} if motion.coasts else {}), TIME: time}
     courses: dict[Label, Course] = {"": course(ways, Switched(v, t_1, t_2, time), start)}
+    (drawn,) = courses.values()
+    if not close(
+        value_at(drawn, time), arrays(profile.journey.end, point) if profile.journey else start + ways.d
+    ):
+        raise NotAsWritten("a motion is not drawn to its end")
     return (panels("motion", courses, profile.sort, problem.style.degrees, moments),)
