@@ -5,10 +5,10 @@ of every chain that is shown, entry by entry of a matrix."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from math import isclose
+from math import isclose, prod
 
-from derive.algebra.formulas.dimensions import Unlike, comparable, dimension_of_formula
-from derive.algebra.formulas.units import Dimension, dimension_of
+from derive.algebra.formulas.dimensions import comparable
+from derive.algebra.formulas.units import dimension_of
 from derive.algebra.numbers.floats import number
 from derive.derivation import Phrase
 from derive.errors import NotAsWritten, NotDerivable
@@ -25,7 +25,14 @@ from derive.expression import (
     walk,
 )
 
-NEARLY = 1e-9  # of what is exact; what is rounded has all its digits still
+ALIKE, NEARLY = 1e-6, 1e-9  # of what is exact; what is rounded has all its digits still
+M, KG, S, A = 1.7, 2.3, 0.6, 3.1  # of our own
+N = KG * M / S**2
+SIZES = {
+    "m": M, "mm": M / 1000, "cm": M / 100, "km": 1000 * M, "kg": KG, "g": KG / 1000, "s": S, "ms": S / 1000,
+    "A": A, "N": N, "J": N * M, "W": N * M / S, "V": N * M / S / A, "ohm": N * M / S / A**2,
+    "H": N * M / A**2, "Hz": 1 / S, "rad": 1.0,
+}  # fmt: skip
 
 Chain = Sequence[Expr]
 
@@ -36,7 +43,7 @@ def hold_as_said(found: Chain, said: Chain, units: Mapping[Expr | Phrase, str]) 
     hold_number(found[-1], said[-1])
     if len(said) > 1 and not _measures(said[0], said[-1], units):
         raise NotAsWritten(f"{said[0]!r} is not measured in what its value is said in")
-    if not _are_alike([*filter(None, map(_dimension, said))]):
+    if not _are_alike([*filter(None, map(_sized, said))]):
         raise NotAsWritten(f"what {said[0]!r} is equal to is not measured alike")
 
 
@@ -93,25 +100,34 @@ def _measures(name: Expr, said: Expr, units: Mapping[Expr | Phrase, str]) -> boo
     return comparable(dimension_of(wanted), dimension_of(_unit(said)))
 
 
-def _are_alike(dimensions: Sequence[Dimension]) -> bool:
-    return all(comparable(each, dimensions[0]) for each in dimensions)
+def _are_alike(sizes: Sequence[float]) -> bool:
+    return all(isclose(each, sizes[0], rel_tol=ALIKE) for each in sizes)
 
 
-def _dimension(tree: Expr) -> Dimension | None:
-    """Of a formula of quantities, by the units that are printed in it. None where none are, or names are
-    left. Raises NotAsWritten where unlike ones are added."""
-    quantities: dict[Expr, Symbol] = {
-        node: Symbol(_unit(node)) for node in walk(tree) if isinstance(node, Measured)
+def _sized(tree: Expr) -> float | None:
+    """A formula of quantities where the units that are printed in it have sizes of our own: an equation holds
+    whatever they are. None where no unit stands in it, or names are left."""
+    quantities: dict[Expr, Expr] = {
+        node: Product((node.value, Symbol(node.unit))) for node in walk(tree) if isinstance(node, Measured)
     }
-    if not quantities or free_symbols(tree) or any(isinstance(node, Matrix) for node in walk(tree)):
+    if not quantities or free_symbols(tree):
         return None
-    known = {unit.name: dimension_of(unit.name) for unit in quantities.values()}
+    sizes = {node.unit: _size(node.unit) for node in walk(tree) if isinstance(node, Measured)}
     try:
-        return dimension_of_formula(replace(tree, {**quantities}), known)
-    except Unlike as error:
-        raise NotAsWritten(str(error)) from error
-    except NotDerivable:
+        return number(replace(tree, quantities), sizes) or None
+    except (NotDerivable, ArithmeticError, ValueError):  # a matrix
         return None
+
+
+def _size(unit: str) -> float:
+    """That of a unit as it is printed, "kg m^2/s"."""
+    above, *below = unit.split("/")
+    return _factors(above) / prod(map(_factors, below))
+
+
+def _factors(units: str) -> float:
+    parts = (part.partition("^") for part in units.split() if part != "1")
+    return prod(SIZES[name] ** int(exponent or 1) for name, _, exponent in parts)
 
 
 def _unit(said: Expr) -> str:

@@ -10,6 +10,7 @@ from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
+from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point, number
 from derive.algebra.readable.operation_count import operations
 from derive.derivation import Phrase
@@ -79,7 +80,7 @@ def minors(work: Work, found: GivenInertia) -> tuple[Work, Phrase, bool]:
     for k, (name, value) in enumerate(zip(names, best.values, strict=True), 1):
         work = work.line(name, *_formula(found.name, best.order[:k], size), value=value, rule="minor")
     work = work.claim(
-        route("minors", _in_numbers(work, found, names, best)),
+        route("minors", (*_in_numbers(work, found, names, best), *_in_letters(found.name, best.order))),
         route("eigenvalues", _judged(work, found, names, best)),
     )
     negative = next(_negative(work, found, names, best), None)
@@ -121,6 +122,21 @@ def _formula(D: Symbol, rows: Sequence[int], size: int) -> tuple[Expr, ...]:
     if len(rows) == 2:
         return (entry_symbol("d", i, i) * entry_symbol("d", j, j) - entry_symbol("d", i, j) ** 2,)
     return (Call("det", (D,)),) if len(rows) == size else ()
+
+
+def _in_letters(D: Symbol, order: Sequence[int]) -> Iterator[bool]:
+    """Whether the minors in the names of the entries are those of any symmetric matrix."""
+    import numpy as np
+
+    half = np.random.default_rng(0).random((len(order), len(order)))
+    whole = half + half.T
+    at: dict[str, Any] = {D.name: whole}
+    at |= {entry_symbol("d", i + 1, j + 1).name: float(each) for (i, j), each in np.ndenumerate(whole)}
+    yield True
+    for k in range(1, len(order) + 1):
+        rows = [*order[:k]]
+        for formula in _formula(D, rows, len(order)):
+            yield close(arrays(formula, at), float(np.linalg.det(whole[np.ix_(rows, rows)])))
 
 
 def _sign(work: Work, found: GivenInertia, minor: Expr) -> int | None:

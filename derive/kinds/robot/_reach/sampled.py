@@ -252,5 +252,7 @@ def _called(shape: Shape, at: Values) -> Iterator[bool]:
         one, other = (numeric.number(each, at) for each in lengths if isinstance(each, TREES))
         low, high = (numeric.number(end, at) for end in (span.low or ZERO, span.high or ZERO))
         yield (close(low, abs(one - other)), close(high, one + other)) == PASSED[shape.borders.key]
+    if shape.borders is not None and isinstance(last := shape.borders.about.get("last"), TREES):
+        yield close(numeric.number(last, at), numeric.number(shape.link, at))
     if shape.called in HOLLOW and shape.distance.low is not None:
         yield (numeric.number(shape.distance.low, at) > SMALL) == HOLLOW[shape.called]
