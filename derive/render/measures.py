@@ -14,6 +14,7 @@ from derive.derivation import Phrase
 from derive.errors import NotAsWritten, NotDerivable
 from derive.expression import (
     ZERO,
+    Call,
     Degrees,
     Expr,
     Matrix,
@@ -110,7 +111,8 @@ def _sized(tree: Expr) -> float | None:
     quantities: dict[Expr, Expr] = {
         node: Product((node.value, Symbol(node.unit))) for node in walk(tree) if isinstance(node, Measured)
     }
-    if not quantities or free_symbols(tree):
+    turned = {type(node) for node in walk(tree)} & {Degrees, Call} == {Degrees}  # no cos 120 deg
+    if not (quantities or turned) or free_symbols(tree):
         return None
     sizes = {node.unit: _size(node.unit) for node in walk(tree) if isinstance(node, Measured)}
     try:
