@@ -83,7 +83,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     own, ways = [name for name in vectors if name not in aside], _ways(found, aside)
     beside = _together(aside) if found.coupling else tuple(_lying(problem.subject, *way) for way in ways)
     if any(letter for _, letter in ways):
-        work = work.claim(route("along", _are_along(problem, ways)))
+        work = work.claim(route("along", _are_along(problem, beside)))
     facts = Facts(vectors=said_of_each(VECTORS, own), beside=beside)
     return work.answer("joint-axes", results, facts, unread=LINKS_ALONE)
 
@@ -114,17 +114,18 @@ def _lying(robot: Robot, i: int, letter: str) -> Phrase:
     return Phrase(sort, {**about, "letter": Symbol(letter), "frame": i - 1})
 
 
-def _are_along(problem: Problem, ways: Sequence[tuple[int, str]]) -> Iterator[bool]:
-    """Whether these axes are along those of the frames before, in numbers."""
+def _are_along(problem: Problem, told: Sequence[Phrase]) -> Iterator[bool]:
+    """Whether axes that are said to be along those of frames are, in numbers."""
     import numpy as np
 
     for point in islice(random_points(problem.symbols, TRIES), POINTS):
         arm = Instant(oracle_of(problem), completed(point, problem.where))
         poses = arm.oracle.poses(arm.at)
-        for i, letter in ways:
-            if letter:
-                k = arm.axis(i)
-                yield close(k / np.linalg.norm(k), poses[i - 1][:3, "xyz".index(letter)])
+        for about in (each.about for each in told):
+            match about.get("joint"), about.get("letter"), about.get("frame"):
+                case int(i), Symbol(letter), int(frame):
+                    k = arm.axis(i)
+                    yield close(k / np.linalg.norm(k), poses[frame][:3, "xyz".index(letter)])
 
 
 def _of_its_joint(problem: Problem, named: Sequence[Expr], last: int) -> Iterator[bool]:
