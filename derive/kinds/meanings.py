@@ -81,7 +81,7 @@ def _gaps(chains: Iterable[Chain], names: Names) -> Iterator[float]:
         for value in values[1:]:
             scale = max([1.0, *map(abs, value), *map(abs, values[0])])
             same = len(value) == len(values[0])
-            gaps = [abs(a - b) for a, b in zip(value, values[0], strict=same)]
+            gaps = [0.0 if a == b else abs(a - b) for a, b in zip(value, values[0], strict=same)]
             yield max(gaps) / scale if same and all(map(isfinite, gaps)) else 1.0
 
 

@@ -12,7 +12,7 @@ from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
 
 NEAR, NOTHING = 1e-6, 1e-9  # relative, and what may be rounding of zero
-NOWHERE = (KeyError, NotDerivable, ValueError, ArithmeticError)
+NOWHERE = (KeyError, NotDerivable, ValueError, ArithmeticError, RecursionError)  # names chained without end
 
 
 class Somewhere(Mapping[str, Any]):

@@ -194,8 +194,7 @@ def _plots(
     moments: dict[Expr, float] = {T_1: t_1, **({T_2: t_2} if motion.coasts else {}), TIME: time}
     courses: dict[Label, Course] = {"": course(ways, Switched(v, t_1, t_2, time), start)}
     (drawn,) = courses.values()
-    if not close(
-        value_at(drawn, time), arrays(profile.journey.end, point) if profile.journey else start + ways.d
-    ):
+    end = arrays(profile.journey.end, point) if profile.journey else start + ways.d
+    if not drawn or not close(value_at(drawn, time), end):
         raise NotAsWritten("a motion is not drawn to its end")
     return (panels("motion", courses, profile.sort, problem.style.degrees, moments),)

@@ -17,8 +17,8 @@ from typing import Any, TypeAlias
 from derive.algebra.numbers.floats import Point, completed, number, numbers
 from derive.derivation import Result, as_matrix
 from derive.errors import NotReal
-from derive.expression import Expr, Indexed, Matrix, Symbol, free_symbols
-from derive.kinds.checks import TRIES, close, random_points, route
+from derive.expression import ZERO, Expr, Indexed, Matrix, Symbol, free_symbols
+from derive.kinds.checks import TRIES, close, flat, random_points, route
 from derive.kinds.problem import TREES
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.work import Work
@@ -114,7 +114,8 @@ class Thing:
         """Whether it is what its indices say."""
         said = values.of(self.tree)
         try:
-            return close(said, self.meaning(arm, *self.indices, said), NEAR)
+            meant = self.meaning(arm, *self.indices, said)
+            return close([0.0 for _ in flat(meant)] if self.tree == ZERO else said, meant, NEAR)
         except LookupError:  # there is no frame, link or joint of this number
             return False
 
