@@ -5,10 +5,10 @@ of every chain that is shown, entry by entry of a matrix."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from math import isclose, prod
+from math import isclose, pi, prod
 
 from derive.algebra.formulas.dimensions import comparable
-from derive.algebra.formulas.units import dimension_of
+from derive.algebra.formulas.units import UNITS, Unit, dimension_of
 from derive.algebra.numbers.floats import number
 from derive.derivation import Phrase
 from derive.errors import NotAsWritten, NotDerivable
@@ -27,13 +27,7 @@ from derive.expression import (
 )
 
 ALIKE, NEARLY = 1e-6, 1e-9  # of what is exact; what is rounded has all its digits still
-M, KG, S, A = 1.7, 2.3, 0.6, 3.1  # of our own
-N = KG * M / S**2
-SIZES = {
-    "m": M, "mm": M / 1000, "cm": M / 100, "km": 1000 * M, "kg": KG, "g": KG / 1000, "s": S, "ms": S / 1000,
-    "A": A, "N": N, "J": N * M, "W": N * M / S, "V": N * M / S / A, "ohm": N * M / S / A**2,
-    "H": N * M / A**2, "Hz": 1 / S, "rad": 1.0,
-}  # fmt: skip
+BASE = (1.7, 2.3, 0.6, 3.1, 1.0)  # sizes of our own: of a metre, a kilogram, a second, an ampere, a radian
 
 Chain = Sequence[Expr]
 
@@ -129,7 +123,13 @@ def _size(unit: str) -> float:
 
 def _factors(units: str) -> float:
     parts = (part.partition("^") for part in units.split() if part != "1")
-    return prod(SIZES[name] ** int(exponent or 1) for name, _, exponent in parts)
+    return prod(_named(name) ** int(exponent or 1) for name, _, exponent in parts)
+
+
+def _named(unit: str) -> float:
+    known = UNITS.get(unit) or Unit(dimension_of(unit))
+    turned = (pi / 180) ** known.degrees
+    return float(known.size) * turned * prod(map(pow, BASE, known.dimension))
 
 
 def _unit(said: Expr) -> str:

@@ -48,11 +48,9 @@ class _Arrays(Domain[Any]):
     def power(self, base: Any, exponent: Any) -> Any:
         import numpy as np
 
-        return (
-            np.linalg.matrix_power(base, round(exponent))
-            if np.ndim(base)
-            else FUNCTIONS["pow"](base, exponent)
-        )
+        if np.ndim(base):
+            return np.linalg.matrix_power(base, round(exponent))
+        return FUNCTIONS["pow"](base, exponent)
 
     def matrix(self, rows: list[list[Any]]) -> Any:
         """A matrix of entries, or of blocks."""

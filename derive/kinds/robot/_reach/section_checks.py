@@ -171,11 +171,11 @@ class SectionSeen:
         return not self.outside[int(sample.rho / size), int((sample.z - low) / size) + 2]
 
     def has_void(self) -> bool:
-        """Whether a square of cells is neither reached nor open to the outside."""
+        """Whether five cells across each other are neither reached nor open to the outside."""
         *_, taken = self.cells
         closed = ~taken & ~self.outside
-        square = closed[:-2, :-2] & closed[1:-1, 1:-1] & closed[2:, 2:] & closed[2:, :-2] & closed[:-2, 2:]
-        return bool(square.any())
+        across = closed[:-2, :-2] & closed[1:-1, 1:-1] & closed[2:, 2:] & closed[2:, :-2] & closed[:-2, 2:]
+        return bool(across.any())
 
     @cached_property
     def cells(self) -> tuple[float, float, Array]:
