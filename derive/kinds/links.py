@@ -26,12 +26,14 @@ EQUATIONS = ("given", "elimination")  # rules of steps with the same name on bot
 UNLINKED = ("law", "in-numbers", "unsolved")  # rules of steps that names of the board say nothing about
 
 
-def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
-    """One claim for each chain, inner steps included, and one more for each number that is rounded.
+def links(steps: Iterable[Step], names: Names, letters: frozenset[str]) -> tuple[Claim, ...]:
+    """One claim for each chain, inner steps included, and one more for each number that is rounded. The
+    `letters` are the symbols of the sheet that stand for nothing.
 
     A step by rule "law" states what holds in general: it is compared in the case that is its instance. One by
     rule "in-numbers" or "unsolved", such as an equation of motion, holds of what its names mean and not of
-    what the board has under them: its kind compares it by `meanings.told`.
+    what the board has under them: its kind compares it by `meanings.told`. What it comes to in names of the
+    sheet and the board is compared here.
     """
     inner = [each for step in steps for each in step.all()]
     chains = [(step.name, _with_content(step, names)) for step in inner if step.rule not in UNLINKED]
@@ -41,6 +43,8 @@ def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
     found = [_link(name, chain, walk_of, at) for name, chain in exact if len(chain) > 1]
     found += [_circular(step) for step in inner if _defines_itself(step)]
     found += [claim for name, chain in chains for claim in _in_floats(name, chain, walk_of)]
+    known = letters | {name.name for name in names if isinstance(name, Symbol)}
+    found += [claim for step in inner if step.rule in UNLINKED[1:] for claim in _in_letters(step, known, at)]
     return (*found, *(in_its_instance(step, names) for step in inner if step.rule == "law" and step.instance))
 
 
@@ -69,6 +73,14 @@ def _link(name: str, chain: Sequence[Expr], walk_of: Walk, at: Somewhere) -> Cla
     values = [_plain(walk_of.value(expr)) for expr in chain]
     holds = all(a == b for a, b in pairwise(values)) and not contradicted(chain, at)
     return Claim("links", NORMAL_FORM, holds, {"step": name}, link=True, tried=len(chain) - 1)
+
+
+def _in_letters(step: Step, known: frozenset[str], at: Somewhere) -> Iterator[Claim]:
+    """What stands behind a name or an equation that the board does not know, in floats."""
+    chain = [expr for expr in step.chain[1:] if not _rounded(expr) and free_symbols(expr) <= known]
+    if len(chain) > 1:
+        holds = not contradicted(chain, at)
+        yield Claim("links", FLOATS, holds, {"step": step.name}, link=True, tried=len(chain) - 1)
 
 
 def _plain(value: Value) -> Value:

@@ -275,7 +275,8 @@ class Work:
         put there after it are in no link: for these a kind needs a law or a route, and a reason.
         """
         steps = [step for step in self.steps if step.name not in {*but}]
-        found = links(steps, {**self.problem.names, **self.aside, **self.definitions})
+        names = {**self.problem.names, **self.aside, **self.definitions}
+        found = links(steps, names, self.problem.symbols)
         return replace(self, claims=(*self.claims, *found), checked=True)
 
     def answer(

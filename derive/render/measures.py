@@ -38,6 +38,8 @@ def hold_as_said(found: Chain, said: Chain, units: Mapping[Expr | Phrase, str]) 
     hold_number(found[-1], said[-1])
     if len(said) > 1 and not _measures(said[0], said[-1], units):
         raise NotAsWritten(f"{said[0]!r} is not measured in what its value is said in")
+    if any(map(_is_twice, said)):
+        raise NotAsWritten(f"{said[0]!r} has a unit behind names that have theirs")
     if not _are_alike([*filter(None, map(_sized, said))]):
         raise NotAsWritten(f"what {said[0]!r} is equal to is not measured alike")
 
@@ -93,6 +95,11 @@ def _measures(name: Expr, said: Expr, units: Mapping[Expr | Phrase, str]) -> boo
     if not wanted or free_symbols(value) or all(entry == ZERO for entry in _entries(value)):
         return True
     return comparable(dimension_of(wanted), dimension_of(_unit(said)))
+
+
+def _is_twice(tree: Expr) -> bool:
+    """Whether a unit stands behind names, which measure something by themselves."""
+    return any(isinstance(node, Measured) and free_symbols(node.value) for node in walk(tree))
 
 
 def _are_alike(sizes: Sequence[float]) -> bool:

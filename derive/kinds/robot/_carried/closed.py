@@ -12,7 +12,7 @@ from derive.algebra.numbers.compiled import Compiled, compiled
 from derive.algebra.numbers.floats import completed
 from derive.derivation import Derivation, Phrase, Step
 from derive.errors import NotDerivable, NotReal
-from derive.expression import Expr, Matrix, Symbol, walk
+from derive.expression import Expr, Matrix, Symbol, column, walk
 from derive.kinds.checks import random_points, route
 from derive.kinds.path._timing import T
 from derive.kinds.robot._carried.checks import carries, rows_follow
@@ -65,7 +65,9 @@ def in_closed_form(given: Setting) -> Derivation:
     shown = (*steps, *chain(*over_time))
     work = work.showing(*shown).linked(but=[step.name for step in shown])
     told = replace(branch, q={**branch.q, **{_name(step): step.result for step in steps}})
-    closed = simple or closed
+    if over_time:
+        q, qdot, qddot = (column(step.result for step in each) for each in over_time)
+        closed = q, qdot, qddot
     work = work.claim(route("followed", _holds(given, told, closed)))
     table = None if found is None else found.table(rows_of(found.times))
     if found is not None and table is not None and given.driven is not None:

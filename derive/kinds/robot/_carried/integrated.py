@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
+from derive.algebra.numbers.floats import numbers
 from derive.derivation import Derivation, Phrase, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Measured, Symbol, column
@@ -57,12 +58,17 @@ def by_rates(given: Setting) -> Derivation:
     table = found.table(rows_of(found.times))
     values = [dict(given.start)[name] for name in problem.subject.variables]
     told = column(map(Approximate, map(float, start)) if moved else values)
-    work = given.moving.work.resting_on(velocity).showing(Step("q_0", (Q_0, told), "in-numbers"))
-    work = work.claim(
-        route("followed", _holds(rates, found)),
-        route("integrated", _adds_up(found)),
-        route("as-drawn", rows_follow(where, given.driven, found, given.point)),
-        route("as-tabled", (_is_row(row, rates, given) for row in table.rows)),
+    begun = Step("q_0", (Q_0, told), "in-numbers")
+    work = (
+        given.moving.work.resting_on(velocity)
+        .showing(begun)
+        .claim(
+            route("begun", (close(numbers(begun.result, given.point), found.values[0][0], SURE),)),
+            route("followed", _holds(rates, found)),
+            route("integrated", _adds_up(found)),
+            route("as-drawn", rows_follow(where, given.driven, found, given.point)),
+            route("as-tabled", (_is_row(row, rates, given) for row in table.rows)),
+        )
     )
     ranges = ranges_of(given)
     said = said_of_ranges(found, ranges)

@@ -44,13 +44,11 @@ def inertia_by_equations(task: Task, arm: Arm) -> tuple[LinearSystem, Work]:
         )
     X = Symbol(free(task.problem.taken, "X", "Y"))
     turned = transpose(J)
-    lines = (Product((D, X)), turned), (LAMBDA, Product((J, X)) ** -1, Product((J, D**-1, turned)) ** -1)
+    whole = LAMBDA, Product((J, X)) ** -1, Product((J, D**-1, turned)) ** -1
+    lines = Step("X", (Product((D, X)), turned), "unsolved"), Step("Lambda", whole, "unsolved")
     work = task.board().resting_on(arm.inertia).knowing({D: arm.inertia.matrix("D")})
-    held = _held(task, arm, X, *lines, (J, task.written))
-    work = work.step(
-        *(Step(name, line, "unsolved") for name, line in zip(("X", "Lambda"), lines, strict=True))
-    )
-    return _system(task, arm, X.name), work.claim(held)
+    held = _held(task, arm, X, *(line.chain for line in lines), (J, task.written))
+    return _system(task, arm, X.name), work.step(*lines).claim(held)
 
 
 def shown_as(task: Task, arm: Arm, formula: tuple[Expr, ...]) -> Claim:
