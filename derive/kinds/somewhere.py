@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
 from derive.algebra.numbers.arrays import arrays
+from derive.algebra.numbers.floats import somewhere
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
 
@@ -32,7 +32,7 @@ class Somewhere(Mapping[str, Any]):
             self.asked.add(name)
             tree = self.names.get(Symbol(name), Symbol(name))
             letter = tree == Symbol(name)
-            self.found[name] = random.Random(name).uniform(0.2, 1.9) if letter else arrays(tree, self)
+            self.found[name] = somewhere(name) if letter else arrays(tree, self)
         return self.found[name]
 
     def __iter__(self) -> Iterator[str]:

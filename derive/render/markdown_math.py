@@ -31,8 +31,16 @@ EMPHASIS = re.compile(r"(?<![A-Za-z0-9])_(?=\S)")  # the sign before it is no le
 
 
 def left_alone(page: str) -> str:
-    """A page with its formulas written so."""
-    return FORMULA.sub(_written, page)
+    """A page with its formulas written so. Raises NotAsWritten where anything beside them has changed."""
+    written = FORMULA.sub(_written, page)
+    if _beside(written) != _beside(page):
+        raise NotAsWritten
+    return written
+
+
+def _beside(page: str) -> str:
+    """What stands between the formulas."""
+    return FORMULA.sub(lambda found: "" if found["mark"] else found[0], page)
 
 
 def _written(found: re.Match[str]) -> str:

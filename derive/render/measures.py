@@ -9,7 +9,7 @@ from math import isclose, pi, prod
 
 from derive.algebra.formulas.dimensions import comparable
 from derive.algebra.formulas.units import UNITS, Unit, dimension_of
-from derive.algebra.numbers.floats import number
+from derive.algebra.numbers.floats import number, somewhere
 from derive.derivation import Phrase
 from derive.errors import NotAsWritten, NotDerivable
 from derive.expression import (
@@ -54,16 +54,16 @@ def hold_number(found: Expr, said: Expr) -> None:
 
 
 def _alike(found: Expr, said: Expr) -> bool:
-    """Numbers are the same; of what is in symbols the reading of the page says so."""
+    """The same numbers, letters having any."""
     if found is said or found == said:
         return True
-    pairs = [*zip(_entries(found), _entries(said), strict=True)]
-    return all(_is_near(one, other) for one, other in pairs if not free_symbols(one))
+    return all(_is_near(*pair) for pair in zip(_entries(found), _entries(said), strict=True))
 
 
 def _is_near(one: Expr, other: Expr) -> bool:
+    at = {name: somewhere(name) for name in free_symbols(one)}
     try:
-        return isclose(number(one, {}), number(other, {}), rel_tol=NEARLY, abs_tol=NEARLY)
+        return isclose(number(one, at), number(other, at), rel_tol=NEARLY, abs_tol=NEARLY)
     except (NotDerivable, ArithmeticError, ValueError):
         return True  # no number: what it is, is said where it is made
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any, TypeAlias
@@ -102,6 +103,11 @@ class _Floats(Domain[float]):
 
     def call(self, function: str, arguments: list[float]) -> float:
         return float(FUNCTIONS[function](*arguments)) if function in FUNCTIONS else self.refuse(function)
+
+
+def somewhere(name: str) -> float:
+    """A number of its own for every name, the same on every machine."""
+    return random.Random(name).uniform(0.2, 1.9)
 
 
 def number(expr: Expr, point: Point) -> float:

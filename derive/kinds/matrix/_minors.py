@@ -89,7 +89,14 @@ def minors(work: Work, found: GivenInertia) -> tuple[Work, Phrase, bool]:
     told = negative.told(found) if negative else _told(work, found, names, best)
     if told.key.startswith("definite-where") and (least := worst(found, _unknown(names, best))):
         work, told = work.claim(route("all-around", holds(found, least))), least.told(found.name)
-    return work, told, best.order[0] == 0
+    first = best.order[0] == 0
+    return work.claim(route("minors", _begins(work, found, names[0], first))), told, first
+
+
+def _begins(work: Work, found: GivenInertia, minor: Symbol, first: bool) -> Iterator[bool]:
+    """Whether the least minor is the entry of the first row, or else of the last."""
+    for at in found.points(POINTS):
+        yield close(number(work[minor], at), found.numbers(at).diagonal()[0 if first else -1])
 
 
 def _minors(work: Work, found: GivenInertia, order: Sequence[int]) -> Minors:

@@ -196,7 +196,7 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
     work = work.claim(*sampled.claims(problem, found, point, shape, steps, told, everywhere))
     plots = tuple(drawn.plots(problem, found, point, shape, told, options.evaluate or ()))
     limits = _limits(problem, found, shape)
-    work = work.law("called", _limits_listed(problem, shape.rows, limits))
+    work = work.law("called", _said_of_joints(problem, shape, limits))
     facts = Facts(
         arm=shape.arm,
         shoulder=None,
@@ -249,9 +249,11 @@ def _limits(problem: Problem, found: Chain, shape: Shape) -> Phrase:
     return Phrase(key, {"ranges": told, "rest": rest})
 
 
-def _limits_listed(problem: Problem, rows: tuple[int, ...], said: Phrase) -> Iterator[bool]:
-    """Whether just the joints with ranges are said to have them."""
+def _said_of_joints(problem: Problem, shape: Shape, said: Phrase) -> Iterator[bool]:
+    """Whether just the joints with ranges are said to have them, and one slide is said to be alone."""
+    rows = shape.rows
     ranged = sum(problem.subject.links[i - 1].range is not None for i in rows)
+    yield shape.kind != "box" or (shape.arm.key == "slide") == (len(rows) == 1)
     yield ("within" in said.key) == (ranged > 0)
     yield said.key.endswith("but") == (0 < ranged < len(rows))
 

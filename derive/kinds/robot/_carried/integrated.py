@@ -123,7 +123,8 @@ def _told(numbers: list[Any]) -> Result:
 
 
 def _holds(rates: Rates, found: Sampled) -> Iterator[bool]:
-    """On the path, with the least rates for its velocity by differences of poses, which change as is said."""
+    """On the path, with the least rates for its velocity by differences of poses, which change as is said, at
+    both ends too."""
     given, where = rates.given, rates.given.where
     h = H * float(found.times[-1] - found.times[0])
     for k in range(5, len(found.times) - 5, 13):
@@ -134,6 +135,11 @@ def _holds(rates: Rates, found: Sampled) -> Iterator[bool]:
         before, now, after = (_seen(rates, t + by * h, q + by * h * rate, h) for by in (-1, 0, 1))
         yield close(rate, now, NEAR)
         yield close(rise, (after - before) / (2 * h), NEAR)
+    for k, ahead in ((0, h), (-1, -h)):
+        t, (q, rate, rise) = float(found.times[k]), (each[k] for each in found.values)
+        steps = (ahead, 2 * ahead, 3 * ahead)
+        one, two, three = (_seen(rates, t + by, q + by * rate + by * by / 2 * rise, h) for by in steps)
+        yield close(rise, (8 * two - 5 * one - 3 * three) / (2 * ahead), NEAR)
 
 
 def _seen(rates: Rates, t: float, q: Any, h: float) -> Any:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.arrays import arrays
 from derive.derivation import Branch, Claim
-from derive.expression import Relation, Symbol, free_symbols
+from derive.expression import Expr, Relation, Symbol, free_symbols
 from derive.kinds.checks import close, route
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL
@@ -30,6 +30,7 @@ FOUND, SAME, NEAR = 1e-9, 1e-5, 1e-7
 LARGEST, BESIDE = 1e7, 0.5  # of a tangent; of an angle beside the pose
 FITTED = 40  # pairs of angles
 PLACES = 1441  # at which the polynomial is looked at
+EQUATIONS = 14  # of the line of an axis
 COUNTS = {"no-real-root": 0, "one-real-root": 1}
 
 
@@ -150,7 +151,8 @@ class Checks:
 
     def _bilinear(self) -> Iterator[bool]:
         """Whether what is equal on both sides is linear in each of two angles that turn the line, in each in
-        1, its cosine and its sine: by a fit to what it is in any arm."""
+        1, its cosine and its sine, by a fit to what it is in any arm; and fourteen things, none of which
+        follows from the others by itself."""
         import numpy as np
 
         drawn = np.random.default_rng(1)
@@ -160,8 +162,16 @@ class Checks:
         products = np.array([np.outer(one, other).ravel() for one, other in by])
         lines = [_carried(fixed, both) for both in angles]
         names = [each.name for each in self.told.line]
-        for tree in (*self.told.line, *self.told.equal):
-            found = np.array([np.ravel(arrays(tree, dict(zip(names, line, strict=True)))) for line in lines])
+        trees = (*self.told.line, *self.told.equal)
+
+        def seen(tree: Expr, lines: Any) -> Array:
+            return np.array([np.ravel(arrays(tree, dict(zip(names, line, strict=True)))) for line in lines])
+
+        anywhere = drawn.normal(size=(FITTED, 2, 3, 1))
+        whole = np.hstack([seen(tree, anywhere) for tree in trees])
+        yield np.linalg.matrix_rank(whole) == whole.shape[1] == EQUATIONS
+        for tree in trees:
+            found = seen(tree, lines)
             fit = products @ np.linalg.lstsq(products, found, rcond=None)[0]
             yield close(fit, found, FOUND)
 

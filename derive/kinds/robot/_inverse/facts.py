@@ -49,10 +49,10 @@ class Method(Record):
 
     `unless` must not hold (of a difference and of two opposite directions: not all of them together);
     `vector` is what the unknown turns into the known sides; `factor` has a sign that was chosen before;
-    `exists` has to lie between -1 and 1; `bound` has to hold for a real solution; `form` is the equation that
-    is solved, where no step has it; `half` is the angle of which the unknown is twice. `by_name` says that
-    the angle is a given one, `by_length` that other elements give the size of the other function, `positive`
-    that only one of two lengths counts; `squared` which of the equations are, where not all.
+    `exists` has to lie between -1 and 1; `bound` has to hold for a real solution; `half` is the angle of
+    which the unknown is twice. `by_name` says that the angle is a given one, `by_length` that other elements
+    give the size of the other function, `positive` that only one of two lengths counts; `squared` which of
+    the equations are, where not all.
     """
 
     name: str
@@ -61,7 +61,6 @@ class Method(Record):
     factor: Expr | None = None
     exists: Expr | None = None
     bound: Relation | None = None
-    form: tuple[Expr, Expr] | None = None
     half: Expr | None = None
     by_name: bool = False
     by_length: bool = False
@@ -79,7 +78,7 @@ class SolvedFacts(Record):
     """Of one sub-problem: where its equations were read, or that they are those of one before, its steps by
     their rules, and whether an orientation is what is out of reach where it has no solution. The first of
     `two` values makes something `positive`, or `negative`; where the unknown is `open` nothing determines it.
-    A sum is `called` by a name.
+    A sum is `called` by a name; `form` is the equation that is solved, where it stands in no other step.
     """
 
     method: Method
@@ -100,6 +99,7 @@ class SolvedFacts(Record):
     equations: tuple[Step, ...]
     squares: tuple[Step, ...]
     aside: tuple[Step, ...]
+    form: Step | None
     solved: tuple[Step, ...]
     choices: tuple[Step, ...]
     left: tuple[Step, ...]

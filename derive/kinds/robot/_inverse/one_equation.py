@@ -113,8 +113,9 @@ def _both(solving: Solving, angle: Form, trees: Trees, row: TrigEquation) -> Non
         method = Method(name="zero", unless=zero(*dict.fromkeys((unsigned(b), unsigned(a)))))
     else:
         values = general(x, y, c, by_sines)
-        form = (times(a, cos(q)) + times(b, sin(q)), c) if isinstance(solving.found, Elbow) else None
-        method = Method(name="general", bound=Relation(_short(squares_of(x, y)), ">=", square(c)), form=form)
+        if isinstance(solving.found, Elbow):
+            solving.add("form", times(a, cos(q)) + times(b, sin(q)), c)
+        method = Method(name="general", bound=Relation(_short(squares_of(x, y)), ">=", square(c)))
     told = shortened(progress.tree(_sided(row, q)))
     sides = [_side(progress, q, row, sign) for sign in SIGNS]
     choices = [Choice(v, s, when, told=told) for v, s, when in zip(values, SIGNS, sides, strict=True)]

@@ -23,7 +23,7 @@ from derive.mechanics.inverse.wrist import Spherical
 from derive.mechanics.poses import rotation_part
 from derive.mechanics.zeros import never_zero
 
-ORDER = ("name", "equation", "squares", "aside", "solved", "choice")  # of steps on the page
+ORDER = ("name", "equation", "squares", "aside", "form", "solved", "choice")  # of steps on the page
 BY_ROOT = (
     "equation",
     "squares",
@@ -140,12 +140,13 @@ class Solving:
             equations=self.by("equation"),
             squares=self.by("squares"),
             aside=(*self.by("aside"), *self.by("twice")),
+            form=next(iter(self.by("form")), None),
             solved=self.by("solved"),
             choices=self.by("choice"),
             left=left,
         )
         number = len(progress.solved)
-        order = BY_ROOT if method.quartic else BY_LENGTH if method.by_length else ORDER
+        order: tuple[str, ...] = BY_ROOT if method.quartic else BY_LENGTH if method.by_length else ORDER
         order = BY_PRODUCT if method.half else BY_HEIGHT if method.name == "quadratic" else order
         steps = (*(step for rule in order for step in self.by(rule)), *left)
         solved = Solved(

@@ -18,7 +18,7 @@ from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Plan
 from derive.mechanics.poses import position_part
 
-PROVED = ("equation", "squares", "solved", "split", "joined")
+PROVED = ("equation", "form", "squares", "solved", "split", "joined")
 
 
 @dataclass(frozen=True, slots=True)
