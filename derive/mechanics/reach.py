@@ -74,7 +74,7 @@ def swung_arm(chain: Chain, point: ScalarMatrix, last: int) -> SwungArm | None:
         return None
     first, second = chain.axis(rows[0]), chain.axis(rows[1])
     lengths = _lengths(chain, rows[1:], point)
-    if not lengths or dot(first, second):
+    if len(lengths) < 2 or dot(first, second):
         return None
     start, shoulder = chain.point(rows[0]), chain.point(rows[1])
     across = first.cross(second)
@@ -96,7 +96,8 @@ def turns_freely(chain: Chain, moving: Sequence[int], spare: Sequence[int], plan
 
 
 def _lengths(chain: Chain, rows: Sequence[int], point: ScalarMatrix) -> tuple[Scalar, ...]:
-    """Of the links between these axes and on to the point; none where they are not parallel."""
+    """Of the links between these axes and on to the point; none where they are not parallel. Axes that
+    coincide are one."""
     axis, zero = chain.axis(rows[0]), ScalarMatrix.zeros(3, 1)
     if any(chain.axis(i).cross(axis) != zero for i in rows[1:]):
         return ()
@@ -107,7 +108,7 @@ def _lengths(chain: Chain, rows: Sequence[int], point: ScalarMatrix) -> tuple[Sc
         square = dot(seen, seen)
         if not _fixed(chain, square):
             return ()
-        found.append(size(square))
+        found += [size(square)] if square else []
     return tuple(found)
 
 

@@ -31,6 +31,10 @@ LISTED = 4  # every which sample is a result
 FAR, MOVED = 0.02, 1e-6  # of the size of the path
 NEAR, SURE = 1e-3, 1e-6  # of accelerations by differences of differences, of rates and of what they add up to
 H = 1e-4  # of the whole time
+LOST = (
+    "at t = {} s the joint rates do not hold the end-effector on the path any more: it leaves the reach of the "
+    "arm, or passes too near to a singular configuration"
+)
 NO_START = "joint rates are integrated from somewhere: add start: {..} with a value for each joint variable"
 
 
@@ -55,6 +59,8 @@ def by_rates(given: Setting) -> Derivation:
         raise NotDerivable(f"at the start the end-effector is {gap:.3g} from where the path begins", "start")
     moved = gap > MOVED * size
     found = rates.over_time(start)
+    if (lost := rates.lost(found, FAR * size)) is not None:
+        raise NotDerivable(LOST.format(f"{lost:.3g}"), "path")
     table = found.table(rows_of(found.times))
     values = [dict(given.start)[name] for name in problem.subject.variables]
     told = column(map(Approximate, map(float, start)) if moved else values)

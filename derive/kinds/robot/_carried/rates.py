@@ -84,6 +84,13 @@ class Rates:
         """How far the arm is from the path."""
         return self.given.where.gap(self.driven, t, q, self.given.point)
 
+    def lost(self, found: Sampled, most: float) -> float | None:
+        """When the arm is first further from the path than that; None where it never is."""
+        import numpy as np
+
+        pairs = zip(map(float, found.times), found.values[0], strict=True)
+        return next((t for t, q in pairs if float(np.linalg.norm(self.gap(t, q))) > most), None)
+
     def over_time(self, start: Any) -> Sampled:
         """From the start, by four slopes a step; accelerations by differences along the motion."""
         import numpy as np

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
+from derive.errors import NotDerivable
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import Tracked
@@ -15,12 +17,20 @@ from derive.mechanics.section import Section, on_sphere, section
 
 
 def cut(problem: Problem, found: Chain, point: Tracked) -> Section | None:
-    """The section of an arm; None where it has a simpler shape, or no section."""
+    """The section of an arm; None where it has a simpler shape, or no section. Raises NotDerivable where its
+    joints do not move the point independently."""
     at = point.position, point.last
     ranged = any(problem.subject.links[i - 1].range for i in moving_joints(found, *at))
     if planar_arm(found, *at) or (swung_arm(found, *at) and not ranged):
         return None
-    return section(found, *at)
+    seen = section(found, *at)
+    if seen is not None and seen.determinant(found) == Scalar.of(0):
+        names = ", ".join(found.joint(i).variable for i in (seen.first, *seen.others))
+        raise NotDerivable(
+            f"one of {names} only repeats what the others do to the point, as where two axes coincide; leave "
+            "it out of the arm"
+        )
+    return seen
 
 
 def by_section(problem: Problem, found: Chain, point: Tracked, place: Place | None) -> Derivation | None:

@@ -163,7 +163,7 @@ class Reached:
         axes = [axis_seen(self.problem, self.found, i, at) for i in links]
         points = [*(o for _, o in axes), self._place(at)]
         z = axes[0][0]
-        found = [apart(z, there - here) for here, there in pairwise(points)]
+        found = [length for here, there in pairwise(points) if (length := apart(z, there - here)) > SMALL]
         told = [numeric.number(length, at) for length in self.region.lengths]
         yield close(told, found, SMALL)
         if self.region.kind != "planar":
