@@ -55,15 +55,26 @@ class Covering:
         found[beyond] = -1
         return found
 
-    def regions(self) -> Iterator[tuple[int, Array]]:
-        """Connected cells with one count, and that count; the largest first."""
+    @cached_property
+    def met(self) -> Array:
+        """The cells in which values of the grid lie."""
         import numpy as np
 
-        left = self.counts >= 0
+        found = np.zeros(self.counts.shape, dtype=bool)
+        i, j = (((e - c) / self.size).astype(int) for e, c in zip((self.x, self.y), self.corner, strict=True))
+        found[i, j] = True
+        return found
+
+    def regions(self) -> Iterator[tuple[int, Array]]:
+        """Connected cells with one count, and that count; the largest first. What is covered may be narrower
+        than a cell where it comes to the axis: no way leads out of a void there."""
+        import numpy as np
+
+        left = (self.counts > 0) | ((self.counts == 0) & ~self.met)
         found = []
         while left.any():
             start = np.unravel_index(int(left.argmax()), left.shape)
-            part = _grown(start, self.counts == self.counts[start])
+            part = _grown(start, left & (self.counts == self.counts[start]))
             left &= ~part
             found.append((int(self.counts[start]), part))
         return iter(sorted(found, key=lambda each: -int(each[1].sum())))

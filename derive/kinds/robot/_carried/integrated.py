@@ -32,8 +32,8 @@ FAR, MOVED = 0.02, 1e-6  # of the size of the path
 NEAR, SURE = 1e-3, 1e-6  # of accelerations by differences of differences, of rates and of what they add up to
 H = 1e-4  # of the whole time
 LOST = (
-    "at t = {} s the joint rates do not hold the end-effector on the path any more: it leaves the reach of the "
-    "arm, or passes too near to a singular configuration"
+    "at t = {} s the joint rates do not hold the end-effector on the path any more: it leaves the reach of "
+    "the arm, or passes too near to a singular configuration"
 )
 NO_START = "joint rates are integrated from somewhere: add start: {..} with a value for each joint variable"
 
