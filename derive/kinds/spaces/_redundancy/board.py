@@ -99,8 +99,8 @@ class Board:
         written = result = self.written(whole)
         shown: Expr = written.rows[0][0] if value.shape == (1, 1) else written
         if below is not None:
-            shown, result = self._over(written, below)
             value = whole.map(lambda entry: entry / below)
+            shown, result = self._over(written, below, value)
         work = self.work.line(
             name,
             *formulas,
@@ -132,11 +132,16 @@ class Board:
             return value, over
         return ScalarMatrix.of([entry / over for entry in row] for row in value.rows), None
 
-    def _over(self, written: Matrix, below: Scalar) -> tuple[Expr, Matrix]:
-        """With the scalar in front of the matrix, and in each of its entries."""
+    def _over(self, written: Matrix, below: Scalar, value: ScalarMatrix) -> tuple[Expr, Matrix]:
+        """With the scalar in front of the matrix, and in each of its entries that it does not divide."""
         scalar = self.problem.readable(below)
-        rows = (tuple(entry if entry == ZERO else entry / scalar for entry in row) for row in written.rows)
-        result = Matrix(tuple(rows))
+        plain = self.written(value.map(lambda entry: Scalar.of(0) if entry.denominator else entry))
+        result = Matrix(
+            tuple(
+                tuple(map(lambda whole, top: whole if top == ZERO or whole != ZERO else top / scalar, *rows))
+                for rows in zip(plain.rows, written.rows, strict=True)
+            )
+        )
         one = written.shape == (1, 1)
         return result.rows[0][0] if one else Product((ONE / scalar, written)), result
 
