@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from shutil import copyfile, rmtree
+from typing import TYPE_CHECKING
 
 from derive.errors import NotAllWritten, Place, SheetError, SheetErrors
 from derive.placing import Made, aside, put_all
@@ -12,6 +13,9 @@ from derive.render.document import Document
 from derive.render.drawing.paper import Kind
 from derive.render.failures import NoGlyphs, PageFailed
 from derive.sheet.model import Sheet
+
+if TYPE_CHECKING:
+    from concurrent.futures import Future
 
 Progress = Callable[[str], None]
 TEXT_FORMATS = ("md", "tex", "json")
@@ -71,10 +75,11 @@ def make(sheet: Sheet, document: Document, formats: Sequence[str], folder: Path,
     if set(formats) - {"json"}:
         _place(sheet, document, folder, _picture_kinds(formats, pdf_engine))
     pages, failed, faults = [], [], list[SheetError]()
+    pdf = _typesetting(document, folder) if "pdf" in formats and pdf_engine != "latex" else None
     for kind in formats:
         page = folder / f"{document.name}.{kind}"
         try:
-            _make(document, kind, page, pdf_engine)
+            _make(document, kind, page, pdf)
             pages.append(page)
         except PageFailed as error:
             failed.append(page)
@@ -145,16 +150,21 @@ def _copy(picture: Path, target: Path, kinds: tuple[Kind, ...]) -> None:
         target.with_suffix(".pdf").write_bytes(drawn(picture, "pdf"))
 
 
-def _make(document: Document, kind: str, target: Path, pdf_engine: str) -> None:
+def _typesetting(document: Document, folder: Path) -> Future[bytes]:
+    """The PDF by Typst, which takes its time beside ours."""
+    from derive.read_back import read_back
+    from derive.render.pdf import typesetting
+
+    return typesetting(document, folder, read_back)
+
+
+def _make(document: Document, kind: str, target: Path, pdf: Future[bytes] | None) -> None:
     if kind in TEXT_FORMATS:
         target.write_text(render(document, kind), encoding="utf-8")
-    elif kind == "pdf" and pdf_engine == "latex":
+    elif kind == "pdf" and pdf is None:
         _typeset(document, target)
-    elif kind == "pdf":
-        from derive.read_back import read_back
-        from derive.render.pdf import write_pdf
-
-        write_pdf(document, target, read_back)
+    elif kind == "pdf" and pdf is not None:
+        target.write_bytes(pdf.result())
     else:
         from derive.read_back import read_back
         from derive.render.docx import write_docx

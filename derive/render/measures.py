@@ -38,6 +38,8 @@ def hold_as_said(found: Chain, said: Chain, units: Mapping[Expr | Phrase, str]) 
     hold_number(found[-1], said[-1])
     if len(said) > 1 and not _measures(said[0], said[-1], units):
         raise NotAsWritten(f"{said[0]!r} is not measured in what its value is said in")
+    if said[0] not in units and _has_degrees(said[-1]) and not any(map(_has_degrees, found)):
+        raise NotAsWritten(f"{said[0]!r} is no angle, and its value is said in degrees")
     if any(map(_is_twice, said)):
         raise NotAsWritten(f"{said[0]!r} has a unit behind names that have theirs")
     if not _are_alike([*filter(None, map(_sized, said))]):
@@ -95,6 +97,10 @@ def _measures(name: Expr, said: Expr, units: Mapping[Expr | Phrase, str]) -> boo
     if not wanted or free_symbols(value) or all(entry == ZERO for entry in _entries(value)):
         return True
     return comparable(dimension_of(wanted), dimension_of(_unit(said)))
+
+
+def _has_degrees(tree: Expr) -> bool:
+    return any(isinstance(node, Degrees) for node in walk(tree))
 
 
 def _is_twice(tree: Expr) -> bool:

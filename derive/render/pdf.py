@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
+from concurrent.futures import Future, ThreadPoolExecutor
 from functools import cache
 from pathlib import Path
 from shutil import which
@@ -47,26 +48,35 @@ def metadata(document: Document) -> dict[str, str]:
     }  # fmt: skip
 
 
-def write_pdf(document: Document, target: Path, read: Reader = unread) -> None:
-    """Writes the PDF. Pictures are found relative to the folder of `target`.
+def typesetting(document: Document, folder: Path, read: Reader = unread) -> Future[bytes]:
+    """The PDF, which Typst makes while other pages are written; pictures are found relative to the folder.
 
-    Raises PdfFailed, and what `read` raises.
+    Raises what `read` raises; its result raises PdfFailed.
     """
+    return _beside().submit(_typeset, render_typst(document, read).encode(), folder, metadata(document))
+
+
+def _typeset(source: bytes, folder: Path, values: dict[str, str]) -> bytes:
     from typst import TypstError
 
-    source = render_typst(document, read).encode()
     try:
         # Plain texts go in as values, so that nothing in them is read as Typst. Held to PDF/UA, it refuses a
         # formula or a figure that is not told in words; held to PDF/A, letters that no font has.
         page = compiler().compile(
-            input=source, format="pdf", root=target.parent, sys_inputs=metadata(document),
+            input=source, format="pdf", root=folder, sys_inputs=values,
             pdf_standards=["ua-1", "a-2a"], timestamp=TIMESTAMP,
         )  # fmt: skip
     except TypstError as error:
         if missing := NO_GLYPH.findall(error.diagnostic):
             raise NoGlyphs("".join(dict.fromkeys("".join(missing)))) from error
         raise PdfFailed("\n".join((error.message, *error.hints))) from error
-    target.write_bytes(page if isinstance(page, bytes) else b"".join(page or ()))
+    return page if isinstance(page, bytes) else b"".join(page or ())
+
+
+@cache
+def _beside() -> ThreadPoolExecutor:
+    """One thread: the compiler sets one page after the other."""
+    return ThreadPoolExecutor(1)
 
 
 @cache

@@ -172,7 +172,10 @@ class Speech:
                 continue
             if name not in phrase.about:
                 raise PhraseError(f"nothing fills the field {{{name}}} of the words for '{phrase.key}'")
-            yield self.say(phrase.about[name], notation or "")
+            filled = self.say(phrase.about[name], notation or "")
+            if not filled and phrase.about[name] != "":
+                raise PhraseError(f"the field {{{name}}} of the words for '{phrase.key}' is said as nothing")
+            yield filled
 
     def _stressed(self, written: str) -> str:
         for (_, mark), stressed in ((STRONG, self.strong), (EM, self.em)):

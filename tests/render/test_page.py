@@ -17,7 +17,7 @@ from derive.render.failures import PdfFailed
 from derive.render.figures import draw
 from derive.render.json_result import render_json
 from derive.render.page import render_latex, render_markdown
-from derive.render.pdf import write_pdf, write_pdf_with_latex
+from derive.render.pdf import typesetting, write_pdf_with_latex
 from derive.render.web import write_html
 from tests.render import sample
 
@@ -88,14 +88,14 @@ def folder(tmp_path: Path) -> Path:
 def test_pdf_is_the_same_each_time(folder: Path) -> None:
     made = []
     for name in ("one.pdf", "two.pdf"):
-        write_pdf(sample.sheet(), folder / name)
+        (folder / name).write_bytes(typesetting(sample.sheet(), folder).result())
         made.append((folder / name).read_bytes())
     assert made[0].startswith(b"%PDF") and made[0] == made[1]
 
 
 def test_text_the_fonts_lack_is_an_error(folder: Path) -> None:
     with pytest.raises(PdfFailed):
-        write_pdf(replace(sample.sheet(), author="見"), folder / "one.pdf")
+        typesetting(replace(sample.sheet(), author="見"), folder).result()
 
 
 def test_html_and_docx(folder: Path) -> None:

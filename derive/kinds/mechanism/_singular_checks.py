@@ -11,6 +11,7 @@ from derive.derivation import Branch, Phrase
 from derive.errors import NotReal
 from derive.expression import free_symbols, replace
 from derive.kinds.checks import close, random_points
+from derive.kinds.mechanism._facts import EndTold, Singular
 from derive.kinds.mechanism._loop_oracle import ROUND, tip, zeros
 from derive.kinds.mechanism._position_checks import SIZES
 from derive.kinds.work import Work
@@ -40,11 +41,16 @@ def gaps(linkage: FourBar | SliderCrank, sizes: Sequence[float]) -> dict[str, Ca
 
 
 def all_found(
-    linkage: FourBar | SliderCrank, work: Work, branches: tuple[Branch, ...], around: Phrase | None
+    linkage: FourBar | SliderCrank,
+    work: Work,
+    branches: tuple[Branch, ...],
+    around: Phrase | None,
+    places: Sequence[Singular],
 ) -> Iterator[bool]:
     """At every size of the bars the angles that were found, where they are real, are those at which there is
     such a position; each is told of the right bars, the lines hold there, and what is moved is where the loop
-    closes. The crank goes round where the bars can be joined at every angle."""
+    closes, as the words say. The crank goes round where the bars can be joined at every angle."""
+    ends = {place.line: place.end for place in places if place.end}
     problem = work.problem
     names = [name for name in SIZES[type(linkage)] if name != "angle"]
     trees = [problem.final(getattr(linkage, name)) for name in names]
@@ -55,6 +61,8 @@ def all_found(
         for branch in branches:
             found[_key(branch)].extend(_real(branch, point))
             yield from _closes(linkage, sizes, branch, point)
+            if end := ends.get(_key(branch)):
+                yield from _ends(work, end, branch, point)
         if around is not None:
             yield (around.key == "all-round") == _goes_round(seen)
         for key, angles in found.items():
@@ -92,6 +100,24 @@ def _closes(
         crank, rod, offset = sizes
         yield close(abs(moved + 1j * offset - tip(crank, turn)), rod)
         yield _in_line(tip(crank, turn), moved + 1j * offset)
+
+
+def _ends(work: Work, end: EndTold, branch: Branch, point: Point) -> Iterator[bool]:
+    """Whether what is moved has the line of its end there, and goes with the crank as is said."""
+    angle, moved = branch.values.values()
+    try:
+        turn, there = at(angle, point), at(moved, point)
+    except (NotReal, ValueError):
+        return
+    head, *formulas = next(step.chain for step in work.steps if step.name == end.line)
+    (name,) = free_symbols(head)
+    size = at(head, {name: there})
+    for each in formulas:
+        value = at(work.problem.final(replace(each, work.definitions)), point)
+        yield close(abs(size), value) if end.said.key == "either-side" else close(size, value)
+    same = tip(1, turn).imag * tip(1, there).imag
+    if end.said.key != "either-side" and abs(same) > NEAR:
+        yield (same > 0) == (end.said.key == "same-side")
 
 
 def _in_line(one: complex, other: complex) -> bool:

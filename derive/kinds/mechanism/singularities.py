@@ -71,7 +71,7 @@ def derive(linkage: FourBar | SliderCrank | FiveBar, options: Options, problem: 
             branches.append(Branch({theta.name: each} | there, (Phrase(key),)))
     results = {"solutions": tuple(branches)}
     around = _around([problem.final(work.shown(formula)) for _, formula, _ in rows[:2]])
-    work = work.claim(route("all-around", all_found(linkage, work, results["solutions"], around)))
+    work = work.claim(route("all-around", all_found(linkage, work, results["solutions"], around, places)))
     facts = Facts(
         det=rates.step("det").chain,
         factors=(sin(subtract(third, last)) if four else cos(third), sin(subtract(theta, third))),
