@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 
@@ -17,6 +18,8 @@ def main() -> None:
     except KeyboardInterrupt:
         os.write(2, b"Aborted!\n")
         sys.exit(1)
+    finally:
+        gc.freeze()  # the process ends: what is left need not be searched for cycles
 
 
 def keep_to_one_thread() -> None:

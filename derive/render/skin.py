@@ -24,6 +24,7 @@ from jinja2 import (
 from jinja2.runtime import Context
 
 from derive.errors import NotAsWritten
+from derive.render.compiled import compiled_before
 from derive.render.formulas import Formulas
 from derive.render.layout import Display
 from derive.render.plain_text import typographic, typst_string
@@ -68,8 +69,10 @@ def environment() -> Dressing:
 
 @cache
 def _undressed() -> Dressing:
-    """Those of the house, compiled once a process for all formats."""
-    return with_templates(Dressing)
+    """Those of the house, compiled once for all formats."""
+    made = with_templates(Dressing)
+    made.bytecode_cache = compiled_before()
+    return made
 
 
 def with_templates(kind: type[D], before: BaseLoader | None = None) -> D:

@@ -103,7 +103,8 @@ class Lines:
         yield from (equal(step.chain, meaning, False) for step in (*self.worked.centre, *self.worked.turn))
         yield from (_by_place(step.chain[-1]) for step in self.worked.turn)
         yield from (equal(step.chain, known, False) for step in self.worked.elements)
-        yield from (equal(pair, known, False) for pair in self.worked.conditions)
+        for pair in self.worked.conditions:
+            yield pair[0] != pair[1] and equal(pair, known, False)
         if turned := self.worked.by_angle:
             yield from (equal(step.chain, meaning, False) for step in (*turned.steps, turned.made))
             yield from (equal(step.chain, known, False) for step in self.worked.told_of(turned.angle.turn))
