@@ -26,7 +26,7 @@ EQUATIONS = ("given", "elimination")  # rules of steps with the same name on bot
 UNLINKED = ("law", "in-numbers", "unsolved")  # rules of steps that names of the board say nothing about
 
 
-def links(steps: Iterable[Step], names: Names, letters: frozenset[str]) -> tuple[Claim, ...]:
+def links(steps: Iterable[Step], names: Names, letters: frozenset[str] = frozenset()) -> tuple[Claim, ...]:
     """One claim for each chain, inner steps included, and one more for each number that is rounded. The
     `letters` are the symbols of the sheet that stand for nothing.
 

@@ -1,5 +1,4 @@
-"""Templates as they were compiled before, in the folder of the user for such things, so that no process does it
-again.
+"""Templates as a process before compiled them, in the folder of the user for such things.
 
 What lies there is told apart by the text of its template; what cannot be read or written is compiled.
 """

@@ -63,7 +63,7 @@ def _alike(found: Expr, said: Expr) -> bool:
 
 
 def _is_near(one: Expr, other: Expr) -> bool:
-    at = {name: somewhere(name) for name in free_symbols(one)}
+    at = {name: somewhere(name) for name in free_symbols(one) | free_symbols(other)}
     try:
         return isclose(number(one, at), number(other, at), rel_tol=NEARLY, abs_tol=NEARLY)
     except (NotDerivable, ArithmeticError, ValueError):

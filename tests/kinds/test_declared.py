@@ -70,6 +70,16 @@ def test_steps_of_the_same_name_are_compared_each() -> None:
     assert [claim.holds for claim in links([wrong, right], {X: A})] == [False, True]
 
 
+@pytest.mark.parametrize(("sign", "holds"), [(1, True), (-1, False)])
+def test_what_a_name_of_none_comes_to_is_compared_in_letters_of_the_sheet(sign: int, holds: bool) -> None:
+    step = Step(
+        "end", (Call("cos", (Symbol("theta_4"),)), A * A - B * B, sign * (A - B) * (A + B)), "in-numbers"
+    )
+    (claim,) = links([step], {}, frozenset({"A", "B"}))
+    assert claim.holds == holds
+    assert links([step], {}, frozenset({"A"})) == ()
+
+
 @pytest.mark.parametrize(("rounded", "holds"), [(1.4142135623730951, True), (1.4142035, False)])
 def test_a_rounded_number_is_what_stands_before_it(rounded: float, holds: bool) -> None:
     (claim,) = links([Step("x", (X, Call("sqrt", (A,)), Approximate(rounded)))], {A: number(2)})
