@@ -52,6 +52,36 @@ def test_three_links_leave_a_hole_only_under_a_long_one(lengths, hole) -> None:
     assert number(symbolic, dict(zip(("l1", "l2", "l3"), lengths, strict=True))) == hole
 
 
+@pytest.mark.parametrize(
+    ("a", "swung", "told"),
+    [
+        (("0", "0", "a3"), False, ("a3", "a3")),
+        (("a1", "0", "a3"), False, ("Abs(a1 - a3)", "a1 + a3")),
+        (("0", "a2", "0", "a4"), True, ("Abs(a2 - a4)", "a2 + a4")),
+    ],
+)
+def test_axes_that_coincide_are_one(a: tuple[str, ...], swung: bool, told: tuple[str, str]) -> None:
+    twists = ["90 deg" if swung and k == 1 else "0" for k, _ in enumerate(a, 1)]
+    rows = [(f"q{k}*", "0", *each) for k, each in enumerate(zip(a, twists, strict=True), 1)]
+    found = problem(arm(rows)).ask("workspace")
+    assert (text(found.results["r_min"]), text(found.results["r_max"])) == told
+    assert all(claim.holds for claim in found.claims)
+
+
+@pytest.mark.parametrize("offset", ["0", "a1"])
+def test_a_joint_that_only_repeats_another_is_to_be_left_out(offset: str) -> None:
+    rows = [("q1*", "0", offset, "90 deg"), ("q2*", "0", "0", "0"), ("q3*", "0", "a3", "0")]
+    with pytest.raises(NotDerivable, match="one of q1, q2, q3 only repeats what the others do"):
+        problem(arm(rows)).ask("workspace")
+
+
+def test_a_void_is_closed_where_its_border_only_comes_to_the_axis() -> None:
+    rows = [("q1*", "0", "0", "90 deg"), ("q2*", "0", "0.1", "-90 deg"), ("q3*", "0", "0.3", "0")]
+    found = problem(arm(rows)).ask("workspace", evaluate=())
+    assert all(claim.holds for claim in found.claims)
+    assert "section-void" in {claim.key for claim in found.claims}
+
+
 def test_the_hollow_ball_of_the_anthropomorphic_arm() -> None:
     found = problem(arm(ELBOW)).ask("workspace").results
     assert (text(found["r_min"]), text(found["r_max"])) == ("Abs(a2 - a3)", "a2 + a3")
