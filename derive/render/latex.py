@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import pairwise
+from itertools import chain, pairwise
 
 from derive.algebra.infix import ATOM, POWER, PRODUCT, SUM
 from derive.expression import (
@@ -43,6 +43,7 @@ OPERATORS = {
 BARE_ARGUMENT = ("cos", "sin", "tan", "det", "adj")  # a lone symbol after these needs no parentheses
 MARKS = {"transpose": "T", "inverse": "-1"}
 LONG_NUMERATOR = 3  # factors
+OF_A_SUM = re.compile(r"-?\\frac.*\\(?:sin|cos|tan)\(")  # a fraction with a function that is written out
 
 
 def latex(expr: Expr, notation: Notation) -> str:
@@ -263,19 +264,11 @@ class Printer:
         return parenthesised(", ".join(self.write(entry) for (entry,) in rows)) + "^T", POWER
 
     def matrix(self, rows: tuple[tuple[Expr, ...], ...]) -> str:
-        tall = any(_is_tall(entry) for row in rows for entry in row)
-        lines = [" & ".join(self._entry(entry, tall) for entry in row) for row in rows]
+        written = [[self.write(entry) for entry in row] for row in rows]
+        tall = any(map(_is_tall, chain(*rows))) or any(map(OF_A_SUM.match, chain(*written)))
+        lines = [" & ".join(_entry(each, tall) for each in row) for row in written]
         end = r" \\[0.8ex] " if any(r"\dfrac" in line for line in lines) else r" \\ "
         return r"\begin{bmatrix} " + end.join(lines) + r" \end{bmatrix}"
-
-    def _entry(self, entry: Expr, tall: bool) -> str:
-        """Fractions shrink in a matrix as in a line of text, unless one of them is long."""
-        written = self.write(entry)
-        return (
-            re.sub(r"^-?\\frac", lambda found: found[0].replace("frac", "dfrac"), written)
-            if tall
-            else written
-        )
 
     def indexed(self, name: Indexed) -> tuple[str, int]:
         parts, small = name_parts(name.base), replace(self, flat=True)
@@ -323,6 +316,11 @@ def _degrees_of(entry: Expr) -> Expr | None:
 def _whole(number: str) -> str:
     """A fraction in parentheses, so that what is raised stands beside all of it."""
     return parenthesised(number) if "frac" in number or "^" in number else number
+
+
+def _entry(written: str, tall: bool) -> str:
+    """Fractions shrink in a matrix as in a line of text, unless one of them is long."""
+    return re.sub(r"^-?\\frac", lambda found: found[0].replace("frac", "dfrac"), written) if tall else written
 
 
 def _is_tall(entry: Expr) -> bool:
