@@ -107,7 +107,7 @@ class Lines:
             yield pair[0] != pair[1] and equal(pair, known, False)
         if turned := self.worked.by_angle:
             yield from (equal(step.chain, meaning, False) for step in (*turned.steps, turned.made))
-            yield from (equal(step.chain, known, False) for step in self.worked.told_of(turned.angle.turn))
+            yield from (equal(step.chain, known, False) for step in self.worked.swung_elements)
             still = {**known, turned.angle.psi: 0.0}
             yield close(arrays(turned.before.chain[1], still)[2, 1], 0.0, SAME)  # the axis of the elbow
         if self.worked.at_end:

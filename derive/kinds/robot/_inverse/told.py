@@ -110,7 +110,7 @@ class Told:
             return None
         angle = found.angle
         elbow, shoulder = Symbol(angle.elbow), tuple(map(Symbol, angle.joints))
-        elements = self.worked.told_of(angle.turn)
+        elements = self.worked.swung_elements
         return ByAngle(
             centres=Phrase("shoulder-alone", {"joints": shoulder, "elbow": elbow}),
             turn=Phrase("arm-angle", {"psi": Symbol(angle.psi), "elbow": elbow}),

@@ -110,7 +110,7 @@ class Worked:
         singular_steps = (case.step for case in self.singular)
         turned: tuple[Step, ...] = ()
         if found := self.by_angle:
-            turned = (*found.steps, found.made, *self.told_of(found.angle.turn))
+            turned = (*found.steps, found.made, *self.swung_elements)
         return (*self.pose, *self.centre, *arm, *turned, *swung, *self.turn, *hand, *singular_steps)
 
     @property
@@ -155,9 +155,14 @@ class Worked:
     @cached_property
     def elements(self) -> tuple[Step, ...]:
         """The elements of the wrist's orientation that are used."""
-        return self.told_of(self.plan.decoupling.turn if self.plan.decoupling else {})
+        return self._told_of(self.plan.decoupling.turn if self.plan.decoupling else {})
 
-    def told_of(self, names: Container[str]) -> tuple[Step, ...]:
+    @cached_property
+    def swung_elements(self) -> tuple[Step, ...]:
+        """Those of a shoulder that is turned by the arm angle."""
+        return self._told_of(self.by_angle.angle.turn if self.by_angle else {})
+
+    def _told_of(self, names: Container[str]) -> tuple[Step, ...]:
         """What those of these names stand for that are used."""
         return tuple(
             Step(item.name.name, (item.name, item.value), "name")
