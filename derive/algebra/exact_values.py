@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache, reduce
 from math import isqrt
@@ -110,9 +111,19 @@ def _prime_root(prime: int) -> Scalar:
 
 
 def factored(n: int) -> list[tuple[int, int]]:
-    """(prime, power) of a positive number; of what is too large to be factored only small primes are taken
-    out, and the rest counts as one."""
-    found = fmpz(n).factor() if n < LARGEST else fmpz(n).factor(TRIED)
+    """(prime, power) of a positive number: first the small primes, then those of the rest, which counts as
+    one where it is too large to be factored. It is the same whatever small primes stand with it."""
+    if n < LARGEST:
+        return _whole(fmpz(n).factor())
+    pairs = _whole(fmpz(n).factor(TRIED))
+    return [
+        (prime, power * outer)
+        for base, outer in pairs
+        for prime, power in (_whole(fmpz(base).factor()) if TRIED < base < LARGEST else [(base, 1)])
+    ]
+
+
+def _whole(found: Iterable[tuple[fmpz, fmpz]]) -> list[tuple[int, int]]:
     return [(int(prime), int(power)) for prime, power in found]
 
 

@@ -74,3 +74,10 @@ def test_roots_multiply(p: int, q: int) -> None:
 def test_a_negative_number_has_no_root() -> None:
     with pytest.raises(ValueError, match="not real"):
         square_root(Fraction(-2))
+
+
+@pytest.mark.parametrize("rest", [5 * 72211 * 2766942732083370015550723, 10**33 + 61 * 10**17 + 7])
+@pytest.mark.parametrize("small", [1, 2**90, 3 * 10**40])
+def test_a_large_number_has_the_same_root_beside_small_primes(rest: int, small: int) -> None:
+    assert square_root(Fraction(rest * small)) == square_root(Fraction(rest)) * square_root(Fraction(small))
+    assert square_root(Fraction(rest, small**2)) == square_root(Fraction(rest)) / small

@@ -38,10 +38,11 @@ def dexterous(arm: TurningAbout, point: PointOn | None, at: Place | None) -> Der
     same = key in ("both-the-same", "both-the-same-by-one")
     if not same and key not in NEVER:
         raise NotDerivable("the dexterous workspace of this arm is not derived yet", "kind")
-    enough = 1 if _in_a_plane(told) else 3
-    freedoms = (arm.freedom(at) for at in arm.points)
+    flat = _in_a_plane(told)
+    enough = 1 if flat else 3
+    freedoms = (arm.freedom(at, flat) for at in arm.points)
     work = work.claim(route("orientations", (same == (each >= enough) for each in freedoms)))
-    if not same and _in_a_plane(told) and arm.is_of_two_links:
+    if not same and flat and arm.is_of_two_links:
         work = work.claim(route("orientations", arm.at_the_base(NEVER[key])))
     where = told.description if same and told.description else Phrase(NEVER.get(key, "empty"))
     results: dict[str, Result] = {name: value for name, value in reached.results.items() if same} | {

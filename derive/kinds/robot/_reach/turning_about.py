@@ -40,8 +40,8 @@ class TurningAbout:
         oracle = oracle_of(self.problem)
         return (dict(oracle.at(at)) for at in random_points(self.problem.symbols, POINTS))
 
-    def freedom(self, at: Values) -> int:
-        """In how many independent ways it turns while the point stays."""
+    def freedom(self, at: Values, in_a_plane: bool = False) -> int:
+        """In how many independent ways it turns while the point stays, or in the plane that it moves in."""
         import numpy as np
 
         oracle = oracle_of(self.problem)
@@ -49,6 +49,10 @@ class TurningAbout:
         _, sizes, rows = np.linalg.svd(J[:3])
         still = rows[int((sizes > SMALL * max(1.0, *sizes)).sum()) :].T
         turns = J[3:] @ still
+        if in_a_plane:
+            moving = moving_joints(self.found, self.point.position, self.point.last)
+            turning = next(i for i in moving if self.found.joint(i).type == "revolute")
+            turns = axis_seen(self.problem, self.found, turning, at)[0][None] @ turns
         return int(np.linalg.matrix_rank(turns, tol=SMALL)) if turns.size else 0
 
     def rings(self, told: Rings) -> Iterator[bool]:
