@@ -48,8 +48,8 @@ def _in_section(
 
 def _filled(covering: Covering, part: Array) -> Curve:
     places = outlines(part)
-    (x, y), size = covering.corner, covering.size
-    return tuple(x + size * i for i, _ in places), tuple(y + size * j for _, j in places)
+    (x, y), (wide, high) = covering.corner, covering.size
+    return tuple(x + wide * i for i, _ in places), tuple(y + high * j for _, j in places)
 
 
 def outlines(part: Array, straight: bool = True) -> list[Place]:

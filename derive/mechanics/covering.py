@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-CELLS = 240  # of the longer side of a frame
+CELLS = 240  # of a side of a frame
+THIN, SLIM = 8.0, 100.0  # times as long as wide, from which on cells are too, and up to which
 ROOM = 3  # cells around what is covered
 
 
@@ -25,18 +26,22 @@ class Covering:
     y: Array
 
     @cached_property
-    def size(self) -> float:
-        """That of a cell."""
-        return max(float(each.max() - each.min()) for each in (self.x, self.y)) / CELLS
+    def size(self) -> tuple[float, float]:
+        """That of a cell: square, unless what is covered is so thin that few would lie across it."""
+        x, y = (float(each.max() - each.min()) / CELLS for each in (self.x, self.y))
+        if max(x, y) < THIN * min(x, y):
+            return max(x, y), max(x, y)
+        return max(x, y / SLIM), max(y, x / SLIM)
 
     @cached_property
     def corner(self) -> tuple[float, float]:
         """The lower left one of the frame."""
-        return float(self.x.min()) - ROOM * self.size, float(self.y.min()) - ROOM * self.size
+        x, y = self.size
+        return float(self.x.min()) - ROOM * x, float(self.y.min()) - ROOM * y
 
     def middle(self, i: int, j: int) -> tuple[float, float]:
         """Of a cell."""
-        return self.corner[0] + (i + 0.5) * self.size, self.corner[1] + (j + 0.5) * self.size
+        return self.corner[0] + (i + 0.5) * self.size[0], self.corner[1] + (j + 0.5) * self.size[1]
 
     @cached_property
     def counts(self) -> Array:
@@ -44,9 +49,12 @@ class Covering:
         below zero."""
         import numpy as np
 
-        shape = [int(np.ceil((e.max() - e.min()) / self.size)) + 2 * ROOM for e in (self.x, self.y)]
+        shape = [
+            int(np.ceil((e.max() - e.min()) / s)) + 2 * ROOM
+            for e, s in zip((self.x, self.y), self.size, strict=True)
+        ]
         found = np.zeros(shape, dtype=int)
-        u, v = ((e - c) / self.size - 0.5 for e, c in zip((self.x, self.y), self.corner, strict=True))
+        u, v = (each - 0.5 for each in self._cells)
         corners = [(each[:-1, :-1], each[1:, :-1], each[:-1, 1:], each[1:, 1:]) for each in (u, v)]
         for a, b, c in ((0, 1, 2), (3, 2, 1)):
             xs, ys = (np.stack([each[k].ravel() for k in (a, b, c)]) for each in corners)
@@ -55,13 +63,19 @@ class Covering:
         found[beyond] = -1
         return found
 
+    @property
+    def _cells(self) -> Iterator[Array]:
+        """x and y in cells from the corner."""
+        frame = zip((self.x, self.y), self.corner, self.size, strict=True)
+        return ((each - low) / size for each, low, size in frame)
+
     @cached_property
     def met(self) -> Array:
         """The cells in which values of the grid lie."""
         import numpy as np
 
         found = np.zeros(self.counts.shape, dtype=bool)
-        i, j = (((e - c) / self.size).astype(int) for e, c in zip((self.x, self.y), self.corner, strict=True))
+        i, j = (each.astype(int) for each in self._cells)
         found[i, j] = True
         return found
 

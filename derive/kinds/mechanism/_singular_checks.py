@@ -57,7 +57,7 @@ def all_found(
     for point in random_points(frozenset().union(*map(free_symbols, trees)), POINTS):
         sizes = [at(tree, point) for tree in trees]
         seen = gaps(linkage, sizes)
-        found: dict[str, list[float]] = {step.name: [] for step in work.steps if step.name in seen}
+        found: dict[str, list[float]] = {key: [] for key in seen}
         for branch in branches:
             found[_key(branch)].extend(_real(branch, point))
             yield from _closes(linkage, sizes, branch, point)

@@ -32,6 +32,10 @@ NO_FORMULA = (
     "polynomial of the fourth degree; write method: inverse-velocity, by which the rates are integrated from "
     "a start"
 )
+NOT_NEAR = (
+    "start chooses the solution that begins nearest to it, and where this path begins is not known in "
+    "numbers; give the other names values, or leave start out"
+)
 TRIES, POINTS = 400, 2
 NOT_THERE = (ValueError, ZeroDivisionError, OverflowError)
 PLAIN = 60  # nodes of a formula that stands on the page
@@ -122,6 +126,8 @@ def _name(step: Step) -> str:
 def _wanted(given: Setting, branches: Sequence[Followed]) -> tuple[Followed, Sampled | None]:
     """The branch nearest to the start, or the first that follows the path, and it over time."""
     if given.driven is None:
+        if given.start:
+            raise NotDerivable(NOT_NEAR, "start")
         return branches[0], None
     if (near := given.begun) is not None and given.driven.ends:
         here = {**given.point, T.name: given.driven.ends[0]}

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
-from derive.errors import NotDerivable
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import Tracked
 from derive.kinds.robot._reach.pointing import Still
+from derive.kinds.robot._reach.regions import refuse_repeated
 from derive.kinds.robot._reach.sections import InSectionOf
 from derive.kinds.robot._reach.spheres import OnTwoAxes
 from derive.mechanics.chain import Chain
@@ -24,12 +23,8 @@ def cut(problem: Problem, found: Chain, point: Tracked) -> Section | None:
     if planar_arm(found, *at) or (swung_arm(found, *at) and not ranged):
         return None
     seen = section(found, *at)
-    if seen is not None and seen.determinant(found) == Scalar.of(0):
-        names = ", ".join(found.joint(i).variable for i in (seen.first, *seen.others))
-        raise NotDerivable(
-            f"one of {names} only repeats what the others do to the point, as where two axes coincide; leave "
-            "it out of the arm"
-        )
+    if seen is not None:
+        refuse_repeated(seen, found, seen.determinant(found))
     return seen
 
 

@@ -15,6 +15,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._point import Tracked
 from derive.mechanics.chain import Chain
 from derive.mechanics.reach import PlanarArm, SwungArm, planar_arm, swung_arm
+from derive.mechanics.section import Section
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +55,17 @@ def region_of(problem: Problem, found: Chain, point: Tracked) -> Region:
         "links about its axis that move in a plane through it or beside it, and of at most three joints of "
         "which the first turns; this arm is neither"
     )
+
+
+def refuse_repeated(seen: Section, found: Chain, determinant: Scalar | None = None) -> None:
+    """Raises NotDerivable where a joint moves the point nowhere in the section where no other does."""
+    names = [found.joint(i).variable for i in (seen.first, *seen.others)]
+    still = any(not seen.square.diff(name) and not seen.height.diff(name) for name in names[1:])
+    if still or determinant == Scalar.of(0):
+        raise NotDerivable(
+            f"one of {', '.join(names)} only repeats what the others do to the point, as where two axes "
+            "coincide; leave it out of the arm"
+        )
 
 
 def refuse_coupled(found: Chain, point: Tracked) -> None:

@@ -25,6 +25,7 @@ from derive.kinds.robot._point import Tracked
 from derive.kinds.robot._reach.facts import Facts, InPlane
 from derive.kinds.robot._reach.in_numbers import Limits
 from derive.kinds.robot._reach.ranged import ranges_of
+from derive.kinds.robot._reach.regions import refuse_repeated
 from derive.kinds.robot._reach.section_checks import SectionSeen, fills, moved_by, square_told
 from derive.kinds.robot._reach.sections import in_floats, seen_in_numbers
 from derive.kinds.robot._reach.swept import Swept
@@ -49,10 +50,11 @@ CALLED = {  # whether it is a part only, and whether there is a hole
 
 def within_ranges(problem: Problem, found: Chain, point: Tracked, place: Place) -> Derivation | None:
     """What is reached; None where the arm does not move in a plane about a first axis, or some length or
-    range has no value."""
+    range has no value. Raises NotDerivable where a joint only repeats another."""
     seen = section(found, point.position, point.last, MOST)
     if seen is None or any(seen.height.diff(name) for name in found.variables):
         return None
+    refuse_repeated(seen, found)
     w = found.axis(seen.first)
     for i in seen.others:
         along = found.axis(i)
