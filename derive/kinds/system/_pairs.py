@@ -46,7 +46,8 @@ def _said(told: Told) -> Iterator[complex]:
     if not isinstance(told, Phrase):
         yield value(told, {J.name: 1j})
         return
-    real, imaginary = (told.about.get(name, number(0)) for name in ("real", "imaginary"))
+    real = told.about["real"] if told.key == "pair" else number(0)
+    imaginary = told.about["imaginary"]
     if isinstance(real, TREES) and isinstance(imaginary, TREES):
         ends = value(real, {}), value(imaginary, {J.name: 1j})
         if ends[1].imag > 0:

@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Phrase, Step
+from derive.derivation import Claim, Phrase, Said, Step
 from derive.expression import ZERO, Expr, free_symbols
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import TREES
@@ -99,9 +99,20 @@ class Sampled(Inside):
         yield not self.shape.measure or MEASURES[self.shape.measure] == spread
         if self.shape.kind == "ball" and self.shape.called != "shell-part":
             yield from self._is_bored()
+        if self.shape.arm.key == "two-links-within":
+            yield self._has_cosine(self.shape.arm.about["function"])
         if key in LENS:
             middle = (self.places.min(axis=0) + self.places.max(axis=0)) / 2
             yield bool(self.holds(middle[None], 0.0)[0]) != LENS[key]
+
+    def _has_cosine(self, told: Said) -> bool:
+        """Whether that is the cosine of the angle from the direction of one link to that of the other."""
+        import numpy as np
+
+        (z, first), (_, second) = ((z, o) for z, o in self.lines.values() if o is not None)
+        one, other = (way - (way @ z) * z for way in (second - first, self.start - second))
+        cosine = one @ other / (np.linalg.norm(one) * np.linalg.norm(other))
+        return isinstance(told, TREES) and close(numeric.number(told, self.here), cosine)
 
     def _is_bored(self) -> Iterator[bool]:
         """Whether it keeps away from the first axis just where that is said, by the side that is told."""
