@@ -14,7 +14,7 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Phrase, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Matrix, Symbol, column
-from derive.kinds.checks import flat
+from derive.kinds.checks import flat, route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
@@ -24,6 +24,7 @@ from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.body_steps import inertia_steps
 from derive.kinds.robot._dynamics.drives import with_rotors
 from derive.kinds.robot._dynamics.recursion import Line, Recursion, rotation
+from derive.kinds.robot._dynamics.turned_frames import hold_in_any_frames
 from derive.kinds.robot._families import of_each, said_of_each
 from derive.kinds.robot._units import of_joints
 from derive.kinds.work import Work
@@ -144,7 +145,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     base = ScalarMatrix.column(sweeping.at_base(_gravity(problem)))
     work = work.showing(*inertia_steps(problem, bodies)).line(BASE, value=base, rule="base")
     torques = {Symbol(f"tau_{k}"): entry for k, (entry,) in enumerate(tau.rows, 1)}
-    for line in (*recursion.outward(), *recursion.inward()):
+    lines = (*recursion.outward(), *recursion.inward())
+    work = work.claim(route("any-frames", hold_in_any_frames(work, lines, bodies)))
+    for line in lines:
         work = _in_names(work, line) if arm.long else _written(work, line, torques, recursion.handed_on(line))
     work = work.law("each-link", _lines_of_each(robot, {step.name for step in work.steps}))
     facts = Facts(
