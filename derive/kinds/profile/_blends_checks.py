@@ -26,7 +26,7 @@ from derive.mechanics import trapezoid
 from derive.mechanics.profile import Journey, Profile
 
 EACH = 2  # points
-CLOSE = 1e-6
+CLOSE, BESIDE = 1e-6, 1e-3
 HOW = {"a": "blended-quadratic", "v": "blended", "t_b": "blended", "": "as-the-profile"}
 PIECES = {1: "begins", 2: "goes-on", 3: "ends"}
 WITHIN = (0.3, 0.8)  # of a piece: moments at which its law is tried
@@ -163,6 +163,11 @@ class Blends:
             above = size > least if not isclose(size, least) else by == "a"  # at which there are still blends
             within = above and (size < most or isclose(size, most))
             yield least >= 0 and within == (self.possible(at) is not None)
+            ends = worth(start, at), worth(end, at), worth(self.found.T, at)
+            for key, inward in (("least", BESIDE), ("most", -BESIDE)):
+                edge = abs(sizes.get(key, 0.0))
+                beside = [_made(by, *ends, edge * (1 + side)) is not None for side in (inward, -inward)]
+                yield key not in sizes or beside == [True, False]
 
     def _met(self, told: Phrase, possible: Phrase) -> Iterator[bool]:
         """Whether a chain of numbers is the bounds with the given value between them, and in order."""
