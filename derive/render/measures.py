@@ -36,6 +36,9 @@ def hold_as_said(found: Chain, said: Chain, units: Mapping[Expr | Phrase, str]) 
     """Raises NotAsWritten where what a chain ends in is said as another number, or its value in what the name
     at its head does not measure."""
     hold_number(found[-1], said[-1])
+    for each in said[1:-1]:
+        if each not in found and not any(_alike(one, each) for one in found[1:]):
+            raise NotAsWritten(f"{each!r} is none of what {said[0]!r} is equal to")
     if len(said) > 1 and not _measures(said[0], said[-1], units):
         raise NotAsWritten(f"{said[0]!r} is not measured in what its value is said in")
     if said[0] not in units and _has_degrees(said[-1]) and not any(map(_has_degrees, found)):
@@ -59,7 +62,8 @@ def _alike(found: Expr, said: Expr) -> bool:
     """The same numbers, letters having any."""
     if found is said or found == said:
         return True
-    return all(_is_near(*pair) for pair in zip(_entries(found), _entries(said), strict=True))
+    ours, theirs = [*_entries(found)], [*_entries(said)]
+    return len(ours) == len(theirs) and all(map(_is_near, ours, theirs))
 
 
 def _is_near(one: Expr, other: Expr) -> bool:

@@ -78,6 +78,8 @@ class SoFar:
         """A display between its marks."""
         told = (k for k, each in enumerate(self.equations) if each.same(equation))
         key = next(told, len(self.equations))
+        if key < len(self.equations) and not self.equations[key].same(equation):
+            raise NotAsWritten("an equation has the number of another")
         if framed:
             self.counted.add(key)
         self.equations[key : key + 1] = [equation]
