@@ -86,6 +86,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     for row, T_i, link in zip(rows, found.T_local, robot.links, strict=False):
         work = _line(work, row, T_i, link)
     beside = _beside(work.steps[-len(rows) :])
+    work = work.law("each-row", (len(rows) == last, *(pose_name(i, i - 1) in rows for i in range(2, last))))
     poses = rows
     if robot.base:
         poses = (pose_name(1), *rows[1:])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
-from math import remainder, tau
+from math import pi, remainder, tau
 from typing import Any
 
 from derive.algebra.numbers.compiled import Compiled, compiled
@@ -37,6 +37,7 @@ NOT_NEAR = (
     "numbers; give the other names values, or leave start out"
 )
 TRIES, POINTS = 400, 2
+SLACK = 1e-9
 NOT_THERE = (ValueError, ZeroDivisionError, OverflowError)
 PLAIN = 60  # nodes of a formula that stands on the page
 STEEP = 1e7  # of rates over the whole time
@@ -77,6 +78,7 @@ def in_closed_form(given: Setting) -> Derivation:
     if found is not None and table is not None and given.driven is not None:
         work = work.claim(route("as-drawn", rows_follow(where, given.driven, found, given.point)))
         work = work.claim(route("as-tabled", (_is_row(row, told, given) for row in table.rows)))
+        work = work.claim(route("as-tabled", _begins_near(found, given)))
     ranges = ranges_of(given) if found is not None else {}
     said = said_of_ranges(found, ranges)
     if said is not None and found is not None:
@@ -251,6 +253,14 @@ def _is_row(row: Any, told: Followed, given: Setting) -> bool:
     ends = [name + end for end in ("", "_dot", "_ddot") for name in told.variables]
     gaps = [abs(remainder(found[name] - value, tau)) for name, value in zip(ends, values, strict=False)]
     return max(gaps) < 1e-6 * max(1.0, *map(abs, values))
+
+
+def _begins_near(found: Sampled, given: Setting) -> Iterator[bool]:
+    """Whether angles begin within half a turn of the start that was typed, or else of zero."""
+    first = dict(zip(found.robot.variables, map(float, found.values[0][0]), strict=True))
+    for link in found.robot.links:
+        if link.variable and link.joint == "revolute":
+            yield abs(first[link.variable] - (given.begun or {}).get(link.variable, 0.0)) < pi + SLACK
 
 
 def _evaluated(answer: Derivation, given: Setting, told: Followed) -> Derivation:
