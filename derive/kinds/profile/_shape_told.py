@@ -120,6 +120,19 @@ def courses_of(each: Shaped, case: Case, point: Point, start: Expr) -> dict[Labe
     return found
 
 
+def drawn(said: bool, courses: Mapping[Label, Course], profile: Profile, point: Point) -> Claim:
+    """Whether a motion is drawn just where that is said, and one that was typed by its ends between these."""
+    journey = profile.journey
+    held = [said == bool(courses)]
+    for each in courses.values():
+        if journey is None:
+            continue
+        first, last = each[0].at(each[0].start), each[-1].at(each[-1].end)
+        start, end = (value_of(tree, point) for tree in (journey.start, journey.end))
+        held.append(max(abs(first - start), abs(last - end)) <= LOOSE * abs(end - start))
+    return law("drawn", held)
+
+
 def claims_of(each: Shaped, facts: Facts, steps: Sequence[Step], profile: Profile) -> Iterator[Claim]:
     """The chains, every line as it is printed against the search, and what is said beside them."""
     chains = {step.name: step.chain for step in steps}

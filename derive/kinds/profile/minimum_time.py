@@ -8,7 +8,6 @@ from derive.derivation import Derivation, Figure
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Degrees, walk
 from derive.figures.courses import panels
-from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._along.told import fastest_along
@@ -17,7 +16,7 @@ from derive.kinds.profile._fixed_shape import shaped
 from derive.kinds.profile._minimum_told import Facts as Facts
 from derive.kinds.profile._minimum_told import at_point, evaluated_of, met_of, results_of
 from derive.kinds.profile._shape_told import claims_of as claims_of_shape
-from derive.kinds.profile._shape_told import courses_of, facts_of, steps_of
+from derive.kinds.profile._shape_told import courses_of, drawn, facts_of, steps_of
 from derive.kinds.profile._shapes import TIME
 from derive.kinds.profile._switched_told import fastest_between
 from derive.kinds.profile._units import sort_at
@@ -83,7 +82,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     facts = facts_of(each, profile, at_point(outcomes[met]) if open_ else None, bool(courses))
     steps = tuple(steps_of(each))
     plots: tuple[Figure, ...] = ()
-    claims = [*claims_of_shape(each, facts, steps, profile), law("drawn", facts.drawn == bool(courses))]
+    claims = [*claims_of_shape(each, facts, steps, profile), drawn(facts.drawn, courses, profile, point)]
     if courses:
         end = next(iter(courses.values()))[-1].end
         typed = any(isinstance(node, Degrees) for _, tree in options.evaluate or () for node in walk(tree))
