@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 CELLS = 240  # of a side of a frame
 THIN, SLIM = 8.0, 100.0  # times as long as wide, from which on cells are too, and up to which
 ROOM = 3  # cells around what is covered
+BETWEEN = 6  # places that are looked at on the way from one value to the next
 
 
 @dataclass(frozen=True)
@@ -71,12 +72,16 @@ class Covering:
 
     @cached_property
     def met(self) -> Array:
-        """The cells in which values of the grid lie."""
+        """The cells in which values of the grid lie, or a line from one to the next."""
         import numpy as np
 
         found = np.zeros(self.counts.shape, dtype=bool)
-        i, j = (each.astype(int) for each in self._cells)
-        found[i, j] = True
+        x, y = self._cells
+        for one, other in ((np.s_[:-1], np.s_[1:]), (np.s_[:, :-1], np.s_[:, 1:])):
+            for k in range(BETWEEN + 1):
+                share = k / BETWEEN
+                i, j = ((each[one] + share * (each[other] - each[one])).astype(int) for each in (x, y))
+                found[i, j] = True
         return found
 
     def regions(self) -> Iterator[tuple[int, Array]]:
