@@ -60,7 +60,9 @@ def plane(ranged: Ranged, arm: Flat) -> Shape:
         measure = "volume"
         formulas["volume"] = tuple(multiply(each, within_brackets(lift)) for each in area)
     if measure:
-        formulas[measure] = ranged.simple_end(formulas[measure], distance)
+        formulas[measure] = ranged.simple_end(
+            formulas[measure], distance, [each for each in (rail, lift) if each]
+        )
     called = _called(ranged, distance, turn, rail)
     description, borders = Phrase(called), None
     if bend and turn:

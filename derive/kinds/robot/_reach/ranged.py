@@ -11,7 +11,7 @@ from derive.algebra.numbers.floats import completed, number
 from derive.algebra.scalar import Scalar
 from derive.derivation import Said
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Symbol, between, free_symbols, replace, walk
+from derive.expression import ZERO, Expr, Number, Symbol, between, free_symbols, replace, walk
 from derive.kinds.problem import Problem
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import Tracked
@@ -81,11 +81,17 @@ class Ranged:
             raise NotDerivable("ranges of joints that turn are honoured in numbers") from error
         return None if angle >= WHOLE - NEARLY else span
 
-    def simple_end(self, chain: tuple[Expr, ...], distance: Span) -> tuple[Expr, ...]:
-        """With the distances put in, where that tells more than the formula itself."""
+    def simple_end(
+        self, chain: tuple[Expr, ...], distance: Span, spans: Sequence[Span] = ()
+    ) -> tuple[Expr, ...]:
+        """With the distances put in, where that tells more than the formula itself. Where the length of one
+        of the `spans` is a number that no decimal shows, as that of one metre, all stand in numbers."""
         known: dict[Expr, Expr] = {R_MIN: distance.low or ZERO, R_MAX: distance.high or ZERO}
         filled = replace(chain[-1], known)
         simple = self.order.simple(filled)
+        typed = any(not free_symbols(within_brackets(each)) for each in spans)
+        if typed and not any(isinstance(node, Number) and node.decimal for node in walk(chain[-1])):
+            return (filled, simple) if filled != simple else (simple,)
         told = filled == chain[-1] and 0 < _letters(filled) <= _letters(simple)
         return chain if told else (*chain, simple)
 
