@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import partial
 from typing import Any
@@ -14,8 +14,9 @@ from derive.derivation import Claim, Derivation, PageFacts, Phrase, Said
 from derive.errors import NotReal
 from derive.expression import ONE, ZERO, Expr, Relation, Symbol, column, transpose
 from derive.kinds.checks import close, random_points, route
-from derive.kinds.fields import OptionsModel, Quantity
+from derive.kinds.fields import TREES, OptionsModel, Quantity
 from derive.kinds.linear_systems import solution_at
+from derive.kinds.meanings import farthest
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import LINKS_ALONE, oracle_of
 from derive.kinds.robot._determinants import determinant
@@ -40,7 +41,7 @@ from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.mechanics.wrist import wrist_of
 
-DIFFERENCES, POINTS = 1e-5, 2
+DIFFERENCES, ANY, POINTS = 1e-5, 1e-9, 2
 
 CLAIMED = {"qdot": "pseudo-inverse"}
 CLAIMS = ("pseudo-inverse",)
@@ -122,6 +123,7 @@ def _as_equations(task: Task, of_functions: bool) -> Derivation:
         by_joint=BY_JOINT,
     )
     found = partial(solution_at, system)
+    work = work.claim(route("pseudo-inverse", _is_least(facts.least, task))) if facts.least else work
     return _compared(task, work, found).answer(
         "inverse-velocity",
         {"J": task.problem.final(task.written), "qdot": system},
@@ -146,9 +148,26 @@ def _least(redundant: bool) -> Phrase:
     return Phrase("least-rates" if redundant else "least-error", about)
 
 
+def _is_least(told: Phrase | None, task: Task) -> Iterator[bool]:
+    """Whether the pseudo-inverse that is told is that of any matrix of this shape."""
+    import numpy as np
+
+    drawn, (m, n) = np.random.default_rng(1), task.J.shape
+    J_any, v_any = drawn.normal(size=(m, n)), drawn.normal(size=(m, 1))
+    plus = np.linalg.pinv(J_any)
+    gram = J_any @ J_any.T if task.redundant else J_any.T @ J_any
+    whole: dict[Expr, Any] = {J: J_any, A: gram, PLUS: plus, V: v_any, RATES: plus @ v_any}
+    names = {name: value if value.size > 1 else value.item() for name, value in whole.items()}
+    for each in told.about.values() if told else ():
+        sides = (each.left, each.right) if isinstance(each, Relation) and each.sign == "=" else ()
+        chain = tuple(side for side in sides if isinstance(side, TREES))
+        yield len(chain) == 2 and farthest([chain], names) < ANY
+
+
 def _answer(task: Task, work: Work, qdot: Expr, facts: Facts, apart: Expr = ONE) -> Derivation:
     """As formulas."""
     work = _compared(task, work, qdot).claim(_fails_where(task, facts, apart))
+    work = work.claim(route("pseudo-inverse", _is_least(facts.least, task))) if facts.least else work
     return work.answer("inverse-velocity", {"qdot": qdot}, facts, unread=LINKS_ALONE)
 
 
