@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
+from derive.errors import NotAsWritten
 from derive.expression import Expr, Symbol, walk
 from derive.render.latex import Printer
 from derive.render.layout import Chain, Link, one_line
@@ -29,6 +30,9 @@ def named(formulas: Iterable[Printed], printed: list[Printed]) -> Iterator[dict[
             if isinstance(node, Symbol):
                 names.setdefault(node.name, formula.notation)
     for sort, meant, numbers in (*_poses(names), *_entries(names), *_components(names), *_of_motion(names)):
+        indices = {number for key, number in numbers.items() if key != "count"}
+        if not all(any(number in name for name in meant.values()) for number in indices):
+            raise NotAsWritten(f"{meant} have other indices than {numbers}")
         parts = {key: alone(Symbol(name), names[name], printed) for key, name in meant.items()}
         yield {"sort": sort, **parts, **numbers}
 
