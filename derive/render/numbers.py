@@ -7,9 +7,11 @@ from fractions import Fraction
 from math import isclose, isfinite
 
 from derive.algebra.rationals import decimal_places
+from derive.errors import NotAsWritten
 
 SMALLEST_PLAIN, LARGEST_PLAIN = -3, 5  # powers of ten printed without an exponent
 OHM = r"\Omega"
+DECIMAL = re.compile(r"-?(?:0|[1-9]\d*)\.\d+")
 UNIT_NAME = re.compile(r"[A-Za-z]+|^1(?=/)")
 MOST_ZEROS = 6  # at the end of a decimal number without an exponent, or behind its point
 NEARLY = 1e-6  # of a whole number: what is so near is one
@@ -48,7 +50,10 @@ def _terminating(value: Fraction) -> str:
     if not places:
         return sign + digits
     digits = digits.zfill(places + 1)
-    return f"{sign}{digits[:-places]}.{digits[-places:]}"
+    written = f"{sign}{digits[:-places]}.{digits[-places:]}"
+    if not DECIMAL.fullmatch(written) or Fraction(written) != value:
+        raise NotAsWritten(f"{value} is written as {written}")
+    return written
 
 
 def _scientific(digits: str, exponent: int) -> str:

@@ -14,7 +14,7 @@ from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts, Result
+from derive.derivation import Claim, Derivation, PageFacts, Result
 from derive.expression import (
     ONE,
     ZERO,
@@ -130,6 +130,8 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         partial(_meant, given, names, axis),
         (*_told(given, names, facts), (names.angle, angle), (names.axis, axis)),
     )
+    if facts.plus is not None:
+        work = work.claim(_of_half_turns(given, names, facts.plus))
     work = work.law("said", ((facts.law is None) != half, (facts.turned is None) == (half or given.numeric)))
     results: dict[str, Result] = {"angle": angle, "axis": axis}
     if not given.every:
@@ -173,6 +175,15 @@ def _in_general(work: Work, names: _Names) -> Work:
     means = _called(names, turn(k, angle), angle, k)
     chains = [step.chain[:2] for step in work.steps if _of_entries(step.chain[1], means)]
     return work.claim(told(chains, lambda _: means, (), {}, "in-general")) if chains else work
+
+
+def _of_half_turns(given: Given, names: _Names, plus: Expr) -> Claim:
+    """That by half a turn about any axis the columns of what is told are multiples of the axis."""
+    import numpy as np
+
+    k = np.array([[2.0], [3.0], [6.0]]) / 7
+    means: Names = {given.rotation: 2 * k @ k.T - np.eye(3), Symbol("I"): np.eye(3), names.axis: k}
+    return told([(plus, 2 * names.axis * transpose(names.axis))], lambda _: means, (), {}, "in-general")
 
 
 def _of_entries(formula: Expr, means: Names) -> bool:
