@@ -33,7 +33,7 @@ from derive.expression import (
     multiply,
     transpose,
 )
-from derive.kinds.checks import close, random_points, route
+from derive.kinds.checks import close, flat, random_points, route
 from derive.kinds.fields import Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._velocity.functions import functions_given
@@ -281,7 +281,8 @@ def _judged(
         missed = (_misses(found, typed, at) for at in islice(_places(found, *given), POINTS))
         told = replace(facts, judged=said, conditions=conditions, left=_names(problem)[-1])
         answer: Result = False if some else tuple(Relation(each, "=", ZERO) for each in conditions)
-        return work.claim(route("no-rates", missed)), told, {"feasible": answer}
+        work = work.claim(route("no-rates", (*missed, *_is_left(found, work, typed, conditions, some))))
+        return work, told, {"feasible": answer}
     letter = free(problem.taken, "k", "kappa", indices=[f"_{i}" for i in range(1, 7)])
     free_ones = tuple(Symbol(f"{letter}_{i}") for i, _ in enumerate(spaces.null, 1))
     own = [multiply(k, problem.readable_matrix(each)) for k, each in zip(free_ones, spaces.null, strict=True)]
@@ -306,6 +307,17 @@ def _meets(found: LinearMap, basis: Expr, typed: Expr) -> Iterator[bool]:
         U = arrays(basis, at)
         both = U.T @ found.numbers(at), U.T @ arrays(typed, at)
         yield all(close(each, 0 * each, SMALL) for each in both)
+
+
+def _is_left(
+    found: LinearMap, work: Work, typed: Expr, conditions: tuple[Expr, ...], some: bool
+) -> Iterator[bool]:
+    """Whether the conditions say that the velocity is perpendicular to what is perpendicular to the range."""
+    basis = work[_names(found.problem)[-1]]
+    for at in islice(_places(found, typed), POINTS):
+        left = [*flat(arrays(basis, at).T @ arrays(typed, at))]
+        open_ones = [each for each in left if abs(each) > SMALL]
+        yield some or close([arrays(each, at) for each in conditions], open_ones, SMALL)
 
 
 def _misses(found: LinearMap, typed: Expr, at: Point) -> bool:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from derive.algebra.angles import Form
 from derive.algebra.numbers.arrays import arrays
 from derive.derivation import Claim, Step
-from derive.expression import Expr, Matrix, Relation, Symbol
+from derive.expression import Expr, Matrix, Relation, Symbol, free_symbols
 from derive.kinds.checks import close, route
 from derive.kinds.robot._inverse import breaks
 from derive.kinds.robot._inverse.checks import Tried
@@ -98,6 +98,8 @@ class Lines:
             lines = [step for step in solved.steps if step.rule not in CHOICES]
             yield from (equal(step.chain, known, step.rule in UP_TO_TURNS) for step in lines)
             yield equal(line_of(solved, taken).chain, known, turns)
+            if quartic := solved.facts.method.quartic:
+                yield quartic.first.name not in free_symbols(quartic.height)
         given = {name: value for name, value in meaning.items() if name not in self.target.joints}
         yield from (equal(step.chain, given, False) for step in self.worked.pose)
         yield from (equal(step.chain, meaning, False) for step in (*self.worked.centre, *self.worked.turn))
