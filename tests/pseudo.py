@@ -34,17 +34,17 @@ def translated(text: str, mathematics: bool = False) -> str:
 def pseudo_language() -> Iterator[None]:
     """The templates of words speak that language."""
     here = environment()
-    parse, cache = here._parse, here.cache
+    parse, cache, compiled = here._parse, here.cache, here.bytecode_cache
 
     def parsed(source: str, name: str | None, filename: str | None) -> nodes.Template:
         tree = parse(source, name, filename)
         return _Translation().visit(tree) if name and name.startswith("words/") else tree
 
-    here._parse, here.cache = parsed, {}
+    here._parse, here.cache, here.bytecode_cache = parsed, {}, None
     try:
         yield
     finally:
-        here._parse, here.cache = parse, cache
+        here._parse, here.cache, here.bytecode_cache = parse, cache, compiled
 
 
 class _Translation(NodeTransformer):

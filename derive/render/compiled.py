@@ -8,8 +8,9 @@ from __future__ import annotations
 from contextlib import suppress
 from pathlib import Path
 from pickle import UnpicklingError
+from zlib import crc32
 
-from jinja2 import FileSystemBytecodeCache
+from jinja2 import Environment, FileSystemBytecodeCache
 from jinja2.bccache import Bucket
 
 from derive.known.stamps import folder
@@ -41,7 +42,9 @@ class Compiled(FileSystemBytecodeCache):
             super().dump_bytecode(bucket)
 
 
-def compiled_before() -> Compiled | None:
-    """None where there is no such folder."""
+def compiled_before(environment: Environment) -> Compiled | None:
+    """Those of an environment that compiles as this one does; None where there is no such folder."""
     place = folder()
-    return Compiled(str(place / "templates")) if place else None
+    ways = environment.trim_blocks, environment.lstrip_blocks, environment.keep_trailing_newline
+    pattern = f"%s-{crc32(repr((ways, sorted(environment.filters), sorted(environment.tests))).encode()):08x}"
+    return Compiled(str(place / "templates"), pattern) if place else None

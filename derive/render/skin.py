@@ -71,7 +71,7 @@ def environment() -> Dressing:
 def _undressed() -> Dressing:
     """Those of the house, compiled once for all formats."""
     made = with_templates(Dressing)
-    made.bytecode_cache = compiled_before()
+    made.bytecode_cache = compiled_before(made)
     return made
 
 

@@ -43,5 +43,7 @@ def test_where_nothing_can_be_written_all_is_compiled(tmp_path: Path) -> None:
 
 def test_the_folder_is_the_users(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DERIVE_CACHE", str(tmp_path))
-    found = compiled_before()
+    found = compiled_before(Environment())
+    other = compiled_before(Environment(trim_blocks=True))
     assert found is not None and Path(found.directory) == tmp_path / "templates"
+    assert other is not None and other.pattern != found.pattern

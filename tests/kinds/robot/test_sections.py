@@ -164,4 +164,4 @@ def test_a_fold_is_counted_twice() -> None:
         if 0.01 < covering.middle(i, j)[0] < 0.99 and 0.01 < covering.middle(i, j)[1] < 0.99
     ]
     assert {*map(int, inside)} == {2}
-    assert int(counts[counts > 0].sum()) == pytest.approx(2 / covering.size**2, rel=0.02)
+    assert int(counts[counts > 0].sum()) == pytest.approx(2 / math.prod(covering.size), rel=0.02)

@@ -44,8 +44,16 @@ def hold_in_any_frames(work: Work, lines: Sequence[Line], bodies: Sequence[Weigh
         names = letters | {name: _array(numbers(tree, point)) for name, tree in given.items()}
         turned = {name: _turned(name, value, turns, own) for name, value in names.items()}
         for line in lines:
-            names[line.name], turned[line.name] = (valued(line.formula, each) for each in (names, turned))
+            names[line.name], turned[line.name] = (_whole(line, each) for each in (names, turned))
             yield close(turned[line.name], _turned(line.name, names[line.name], turns, own))
+
+
+def _whole(line: Line, names: Mapping[Expr, Any]) -> Any:
+    """What a formula comes to; a vector of zeros where it is zero."""
+    import numpy as np
+
+    found = valued(line.formula, names)
+    return np.zeros((3, 1)) if np.ndim(found) == 0 and VECTOR.fullmatch(line.name.name) else found
 
 
 def _array(found: Any) -> Array:
