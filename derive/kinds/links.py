@@ -20,7 +20,7 @@ from derive.derivation import Claim, Step
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Indexed, Matrix, Symbol, free_symbols, replace, walk
 from derive.kinds.checks import FLOATS, NORMAL_FORM, agreement
-from derive.kinds.somewhere import Somewhere, contradicted
+from derive.kinds.somewhere import Somewhere, contradicted, near, values_of
 
 EQUATIONS = ("given", "elimination")  # rules of steps with the same name on both sides, maybe
 UNLINKED = ("law", "in-numbers", "unsolved")  # rules of steps that names of the board say nothing about
@@ -78,9 +78,9 @@ def _link(name: str, chain: Sequence[Expr], walk_of: Walk, at: Somewhere) -> Cla
 def _in_letters(step: Step, known: frozenset[str], at: Somewhere) -> Iterator[Claim]:
     """What stands behind a name or an equation that the board does not know, in floats."""
     chain = [expr for expr in step.chain[1:] if not _rounded(expr) and free_symbols(expr) <= known]
-    if len(chain) > 1:
-        holds = not contradicted(chain, at)
-        yield Claim("links", FLOATS, holds, {"step": step.name}, link=True, tried=len(chain) - 1)
+    if pairs := [*pairwise(values_of(chain, at))]:
+        holds = all(near(one, other) for one, other in pairs)
+        yield Claim("links", FLOATS, holds, {"step": step.name}, link=True, tried=len(pairs))
 
 
 def _plain(value: Value) -> Value:

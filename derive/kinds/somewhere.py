@@ -44,10 +44,11 @@ class Somewhere(Mapping[str, Any]):
 
 def contradicted(chain: Sequence[Expr], at: Somewhere) -> bool:
     """Whether two neighbours of those of a chain that have a value there differ."""
-    return any(not _near(one, other) for one, other in pairwise(_values(chain, at)))
+    return any(not near(one, other) for one, other in pairwise(values_of(chain, at)))
 
 
-def _values(chain: Sequence[Expr], at: Somewhere) -> Iterator[Any]:
+def values_of(chain: Sequence[Expr], at: Somewhere) -> Iterator[Any]:
+    """Of those members of a chain that have one there."""
     import numpy as np
 
     for expr in chain:
@@ -59,7 +60,8 @@ def _values(chain: Sequence[Expr], at: Somewhere) -> Iterator[Any]:
             yield value
 
 
-def _near(one: Any, other: Any) -> bool:
+def near(one: Any, other: Any) -> bool:
+    """Whether two values are the same but for rounding."""
     import numpy as np
 
     if one.shape != other.shape:  # a zero of a column of blocks does not say how high it is

@@ -136,12 +136,8 @@ class Board:
         """With the scalar in front of the matrix, and in each of its entries that it does not divide."""
         scalar = self.problem.readable(below)
         plain = self.written(value.map(lambda entry: Scalar.of(0) if entry.denominator else entry))
-        result = Matrix(
-            tuple(
-                tuple(map(lambda whole, top: whole if top == ZERO or whole != ZERO else top / scalar, *rows))
-                for rows in zip(plain.rows, written.rows, strict=True)
-            )
-        )
+        rows = (zip(*pair, strict=True) for pair in zip(plain.rows, written.rows, strict=True))
+        result = Matrix(tuple(tuple(_divided(whole, top, scalar) for whole, top in row) for row in rows))
         one = written.shape == (1, 1)
         return result.rows[0][0] if one else Product((ONE / scalar, written)), result
 
@@ -284,3 +280,8 @@ def diagonal(entries: tuple[Scalar, ...]) -> ScalarMatrix:
 def names_of(problem: Problem, *wanted: str) -> tuple[Symbol, ...]:
     """Names that mean nothing else on the sheet."""
     return tuple(Symbol(free(problem.taken, name, f"{name}_0")) for name in wanted)
+
+
+def _divided(whole: Expr, top: Expr, scalar: Expr) -> Expr:
+    """An entry over the scalar; `whole` is what it comes to where that divides it, else zero."""
+    return whole if whole != ZERO or top == ZERO else top / scalar
