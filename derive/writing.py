@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from shutil import copyfile, rmtree
 from typing import TYPE_CHECKING
@@ -75,15 +76,15 @@ def make(sheet: Sheet, document: Document, formats: Sequence[str], folder: Path,
     if set(formats) - {"json"}:
         _place(sheet, document, folder, _picture_kinds(formats, pdf_engine))
     pages, failed, faults = [], [], list[SheetError]()
-    pdf = _typesetting(document, folder) if "pdf" in formats and pdf_engine != "latex" else None
-    for kind in formats:
-        page = folder / f"{document.name}.{kind}"
-        try:
-            _make(document, kind, page, pdf)
-            pages.append(page)
-        except PageFailed as error:
-            failed.append(page)
-            faults += _failed(error, page.name, sheet)
+    with _typesetting(document, folder, "pdf" in formats and pdf_engine != "latex") as pdf:
+        for kind in formats:
+            page = folder / f"{document.name}.{kind}"
+            try:
+                _make(document, kind, page, pdf)
+                pages.append(page)
+            except PageFailed as error:
+                failed.append(page)
+                faults += _failed(error, page.name, sheet)
     shown = {page.suffix for page in pages}
     if not shown - {".json"}:
         rmtree(folder / document.figures, ignore_errors=True)  # no page shows them
@@ -150,8 +151,12 @@ def _copy(picture: Path, target: Path, kinds: tuple[Kind, ...]) -> None:
         target.with_suffix(".pdf").write_bytes(drawn(picture, "pdf"))
 
 
-def _typesetting(document: Document, folder: Path) -> Future[bytes]:
-    """The PDF by Typst, which takes its time beside ours."""
+def _typesetting(
+    document: Document, folder: Path, wanted: bool
+) -> AbstractContextManager[Future[bytes] | None]:
+    """The PDF by Typst, which takes its time beside ours; None where it is not wanted."""
+    if not wanted:
+        return nullcontext()
     from derive.read_back import read_back
     from derive.render.pdf import typesetting
 

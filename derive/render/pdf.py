@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 import subprocess
+from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from shutil import which
@@ -48,12 +50,16 @@ def metadata(document: Document) -> dict[str, str]:
     }  # fmt: skip
 
 
-def typesetting(document: Document, folder: Path, read: Reader = unread) -> Future[bytes]:
+@contextmanager
+def typesetting(document: Document, folder: Path, read: Reader = unread) -> Iterator[Future[bytes]]:
     """The PDF, which Typst makes while other pages are written; pictures are found relative to the folder.
 
-    Raises what `read` raises; its result raises PdfFailed.
+    Raises what `read` raises; its result raises PdfFailed. It has come to an end when this has: nothing is
+    put in its place, which forks, while a thread is at work.
     """
-    return _beside().submit(_typeset, render_typst(document, read).encode(), folder, metadata(document))
+    source = render_typst(document, read).encode()
+    with ThreadPoolExecutor(1) as beside:
+        yield beside.submit(_typeset, source, folder, metadata(document))
 
 
 def _typeset(source: bytes, folder: Path, values: dict[str, str]) -> bytes:
@@ -71,12 +77,6 @@ def _typeset(source: bytes, folder: Path, values: dict[str, str]) -> bytes:
             raise NoGlyphs("".join(dict.fromkeys("".join(missing)))) from error
         raise PdfFailed("\n".join((error.message, *error.hints))) from error
     return page if isinstance(page, bytes) else b"".join(page or ())
-
-
-@cache
-def _beside() -> ThreadPoolExecutor:
-    """One thread: the compiler sets one page after the other."""
-    return ThreadPoolExecutor(1)
 
 
 @cache

@@ -41,6 +41,18 @@ def test_where_nothing_can_be_written_all_is_compiled(tmp_path: Path) -> None:
     assert made(tmp_path / "file" / "below") == "2"
 
 
+def test_what_others_can_write_is_not_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = tmp_path / "shared"
+    made(folder)
+    folder.chmod(0o777)
+    (file,) = folder.iterdir()
+    before = file.stat().st_mtime_ns
+    loaded = []
+    monkeypatch.setattr("jinja2.bccache.Bucket.load_bytecode", lambda *_: loaded.append(1))
+    assert made(folder) == "2"
+    assert not loaded and file.stat().st_mtime_ns == before
+
+
 def test_the_folder_is_the_users(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DERIVE_CACHE", str(tmp_path))
     found = compiled_before(Environment())
