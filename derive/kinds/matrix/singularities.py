@@ -59,7 +59,7 @@ def derive(given: GivenMatrix, options: Options, problem: Problem) -> Derivation
         "solutions": solutions,
         "complete": way.complete,
     }
-    work = way.work.claim(*Checked(seen, way, sets, solutions, facts.sets).claims())
+    work = way.work.claim(*Checked(seen, way, sets, solutions, facts).claims())
     work = work.claim(*at_special_lengths(seen, sets, lengths))
     return work.answer("singularities", results, facts)
 

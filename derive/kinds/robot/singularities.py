@@ -64,7 +64,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "solutions": solutions,
         "complete": way.complete,
     }
-    work = way.work.claim(*Checked(J, way, sets, solutions, facts.sets).claims())
+    work = way.work.claim(*Checked(J, way, sets, solutions, facts).claims())
     work = work.claim(*center_seen(task, way, J), *at_special_lengths(J, sets, lengths))
     return work.answer("singularities", results, facts, plots=_drawn(task, sets), unread=LINKS_ALONE)
 

@@ -15,7 +15,7 @@ from derive.expression import number as tree
 from derive.kinds.fields import TREES
 from derive.kinds.system._checked_array import NOWHERE, Printed
 from derive.kinds.system._oracle import Held
-from derive.kinds.system._relation_checks import CLEAR, all_hold, holds
+from derive.kinds.system._relation_checks import CLEAR, all_hold
 from derive.kinds.system._stability_facts import NEVER, Around
 
 ENOUGH = 6  # points with a stable loop
@@ -164,8 +164,7 @@ def said(held: Held, printed: Printed, results: Mapping[str, Result]) -> Iterato
     yield {"met": all(met), "violated": not any(met), "open": symbolic}[key]
     yield key == "violated" or bool(enough) == (printed.degree <= 2)
     yield from _mended(printed)
-    decided = [holds(each, {}) for each in printed.conditions if _is_plain(each)]
-    yield told.never or not symbolic or not ({False, None} & {*decided})
+    yield told.never or not symbolic or not any(map(_is_plain, printed.conditions))
     if told.one_sign:
         yield told.one_sign == Phrase("one-sign", {"coefficients": printed.coefficients})
         yield printed.degree <= 2
@@ -237,7 +236,7 @@ def _on_axis(printed: Printed, results: Mapping[str, Result]) -> Iterator[bool]:
 
 
 def _is_plain(relation: Relation) -> bool:
-    """Whether no symbols stand in it: then it holds or not, and equal numbers say that it does not."""
+    """Whether no symbols stand in it: then it holds or not, and is no condition."""
     sides = (relation.left, relation.right)
     return not any(free_symbols(side) - {"pi"} for side in sides if isinstance(side, TREES))
 

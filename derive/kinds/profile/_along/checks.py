@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 OTHERS, HALVINGS = 240, 70  # steps of the second search
 SHARES = (0.17, 0.46, 0.83)
 H, WITHIN = 1e-4, 0.37  # of a time, and of a spell: not where it turns from faster to slower
+PRESSED, NEARLY = 13, 0.9  # every which step is looked at; others lie between two limits
 SURE, SEARCHED, OVER = 1e-5, 5e-3, 2e-2
 
 
@@ -94,6 +95,25 @@ def kept(given: Along) -> Iterator[bool]:
         yield bool(max(fast.max(), strong.max()) <= 1 + OVER)
         reached += bool(max(fast.max(), strong.max()) >= 1 - OVER)
     yield reached >= 0.9 * len(times)
+
+
+def pressed(given: Along) -> Iterator[bool]:
+    """At one end or the other of nearly every step a limit is reached, and none is exceeded."""
+    t, s, b = given.found.t, given.found.s, given.found.b
+    v_max, a_max = limits(given)
+    h = 1e-3 * float(s[-1] - s[0])
+    chosen = range(PRESSED // 2, len(s) - 1, PRESSED)
+    reached = 0
+    for k in chosen:
+        u = float(b[k + 1] - b[k]) / (2 * float(s[k + 1] - s[k]))
+        yield close(float(t[k + 1] - t[k]) * float(b[k] ** 0.5 + b[k + 1] ** 0.5) / 2, float(s[k + 1] - s[k]))
+        ends = [(slopes(given, float(s[i]), h), float(b[i])) for i in (k, k + 1)]
+        shares = [
+            max((abs(x) * c**0.5 / v_max).max(), (abs(x * u + y * c) / a_max).max()) for (x, y), c in ends
+        ]
+        yield max(shares) <= 1 + SURE
+        reached += max(shares) >= 1 - SURE
+    yield reached >= NEARLY * len(chosen)
 
 
 def no_shorter(given: Along) -> Iterator[bool]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.normal import normal
@@ -147,7 +148,7 @@ def along(path: JointPath, evaluate: Place | None, problem: Problem) -> Along:
 
 def fastest_along(path: JointPath, evaluate: Place | None, problem: Problem) -> Derivation:
     """The least time, and the motion in a list of values."""
-    from derive.kinds.profile._along.checks import as_tabled, kept, lines, no_shorter, said
+    from derive.kinds.profile._along.checks import as_tabled, kept, lines, no_shorter, pressed, said
     from derive.kinds.profile._minimum_told import Facts
 
     given = along(path, evaluate, problem)
@@ -159,7 +160,7 @@ def fastest_along(path: JointPath, evaluate: Place | None, problem: Problem) -> 
     work = Work(problem).showing(*given.steps)
     work = work.claim(
         route("path-lines", lines(given)),
-        route("limits-kept", kept(given)),
+        route("limits-kept", chain(kept(given), pressed(given))),
         route("no-time-is-shorter", no_shorter(given)),
         route("binding-limits", as_tabled(given)),
         route("said", said(given)),

@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 from derive.algebra.numbers.floats import Point, number, numbers
 from derive.derivation import Claim, Phrase
-from derive.expression import Symbol
+from derive.expression import Symbol, symbols
 from derive.expression import number as tree
 from derive.kinds.checks import agreement, close, route
 from derive.kinds.robot._rows.dh_rows import COLUMNS, INDICES, TYPED
@@ -242,16 +242,22 @@ def as_seen(work: Work, frames: tuple[FrameTold, ...]) -> Claim:
         point = {**at, **variables}
         lines = {step.name: step.result for step in work.steps if step.rule in ("axis", "normal", "origin")}
         named = {name: np.ravel(numbers(line, point)) for name, line in lines.items()}
-        return [_stands(frame.why, named) for frame in frames]
+        return [_of_its_own(frame) and _stands(frame.why, named) for frame in frames]
 
     return agreement("frames-told", work.problem.symbols, held, lambda _: [True] * len(frames))
 
 
+def _of_its_own(frame: FrameTold) -> bool:
+    """Whether it is told of this frame by the one before it."""
+    i, about = frame.number, frame.why.about
+    letters = [about[name] for name in ("x", "z", "o", "d", "kept", "near")]
+    own = [*symbols(f"x_{i} z_{i} o_{i} d_{i} x_{i - 1} o_{i - 1}")]
+    return letters == own and about["before"] == i - 1
+
+
 def _stands(why: Phrase, named: Mapping[str, Array]) -> bool:
-    """Whether a frame stands as is told; not where it is told of axes that are none, or by itself."""
+    """Whether a frame stands as is told; not where it is told of axes that are none."""
     try:
-        if why.about["x"] == Symbol(f"x_{why.about['before']}"):
-            return False
         return MEANINGS[why.key](_Seen(named, why.about))
     except KeyError:
         return False

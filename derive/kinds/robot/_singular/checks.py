@@ -20,7 +20,7 @@ from derive.expression import ONE, Expr, Symbol
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import TREES
 from derive.kinds.robot._singular.descent import fallen_to
-from derive.kinds.robot._singular.facts import CaseTold, SetTold
+from derive.kinds.robot._singular.facts import CaseTold, Facts
 from derive.kinds.robot._singular.minors import Way
 from derive.kinds.robot._singular.search import (
     SMALL,
@@ -67,13 +67,13 @@ class InNumbers:
 
 @dataclass(frozen=True)
 class Checked:
-    """A Jacobian with its singular sets (`sets`, and the same as results and as told in words)."""
+    """A Jacobian with its singular sets, and the same as results and as `told` in words."""
 
     J: InNumbers
     way: Way
     sets: Sequence[Analysed]
     solutions: Sequence[Branch]
-    told: Sequence[SetTold]
+    told: Facts
 
     def claims(self) -> Iterator[Claim]:
         """About the lines, the sets, and what is said of each."""
@@ -86,7 +86,7 @@ class Checked:
             if case is not None and case.J is not None:
                 names = ", ".join(zero.variable for zero in case.zeros)
                 yield route("spaces", _spaces(self.J, each, case), names=names)
-        if said := [*self._words()]:
+        if said := [*self._words(), *self._kinds_of_rows(self.J.whole(some[0]))]:
             yield route("looks-in-words", said)
         if spaces := [*self._spaces_told()]:
             yield route("spaces-told", spaces)
@@ -144,7 +144,7 @@ class Checked:
     def _cases(self) -> Iterator[tuple[Block, CaseTold, Values]]:
         """Each case that is told in words, at places with the values that stand beside it."""
         outer = [each for each in self.sets if not each.inner]
-        for each, told in zip(outer, self.told, strict=True):
+        for each, told in zip(outer, self.told.sets, strict=True):
             for case in told.cases:
                 values = {name.name: value for name, value in case.places if isinstance(name, Symbol)}
                 yield from ((each.block, case, here) for here in placed(values, self.J.points))
@@ -153,6 +153,21 @@ class Checked:
         """What is said of each case in words."""
         for block, case, here in self._cases:
             yield from (self.J.posture(block, look, here) for look in case.looks)
+
+    def _kinds_of_rows(self, J: Any) -> Iterator[bool]:
+        """Whether a matrix is said to be wide or tall, and its rows those of rotations, as they are."""
+        import numpy as np
+
+        m, n = J.shape
+        gram = self.told.taken.about.get("gram") if self.told.taken else None
+        if self.told.taken and isinstance(gram, TREES):
+            size = arrays(gram, {self.way.parts[0].block.name: np.ones((m, n))}).shape
+            yield m != n and size == (min(m, n),) * 2
+            yield self.told.taken.key == ("more-columns" if m < n else "more-rows")
+        outer = (each for each in self.sets if not each.inner)
+        for each, told in zip(outer, self.told.sets, strict=True):
+            yield told.frame == each.block.frame
+            yield told.angular == (not any(row.startswith("v") for row in each.block.rows))
 
     def _spaces_told(self) -> Iterator[bool]:
         """The matrices of each case as they are printed."""

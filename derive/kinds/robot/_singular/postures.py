@@ -49,6 +49,15 @@ class Postures:
             case "elbow-is-stretched" | "elbow-is-folded" | "elbow-stretched" | "elbow-folded":
                 joint = int(str(about.get("joint", about.get("last"))))
                 return self._bent(joint, here) == said.key.rsplit("-", 1)[1]
+        return self._so(said, here) and not self._so(said, self._elsewhere(here))
+
+    def _elsewhere(self, here: Values) -> Values:
+        """Another configuration: what is so everywhere is not said of a singular one."""
+        return here | {name: here[name] + 0.7 + 0.31 * k for k, name in enumerate(self.task.found.variables)}
+
+    def _so(self, said: Phrase, here: Values) -> bool:
+        """Whether axes or a point lie as it is said."""
+        about = said.about
         first, last = (int(str(about[name])) for name in ("first", "last"))
         point = self._meant(_phrase(about["point"]), here)
         z, o = self._axis(first, here)
@@ -101,6 +110,8 @@ class Postures:
         """Whether the point, or else the first later axis of which that is so, is as far from the axis
         before a joint as it can be brought, or as near."""
         before = self.rows[self.rows.index(joint) - 1]
+        if not self._parallel(before, joint, here):
+            return ""  # it is no elbow
         name = self.task.found.joint(joint).variable
         around = [here, *({**here, name: here[name] + by} for by in ROUND)]
         later = [i for i in self.rows if i > joint and self.task.found.joint(i).type == "revolute"]

@@ -112,7 +112,9 @@ class Wrench:
 
         oracle = oracle_of(self.problem)
         here = oracle.at(at)
-        T = oracle.tool(here) if self._frame == TOOL else oracle.poses(here)[self.point.frame]
+        frames = {str(i): T for i, T in enumerate(oracle.poses(here))}
+        frames |= {TOOL: oracle.tool(here)} if self.problem.subject.ends_in_tool else {}
+        T = frames[self._frame]
         turn = T[:3, :3] if self.in_tool else T[:3, :3].T
         given = [float(arrays(self.components.get(row, ZERO), at)) for row in ROWS]
         return np.concatenate([turn @ given[:3], turn @ given[3:]])
