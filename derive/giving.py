@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from typing import Any
 
-from derive.errors import SheetError, SheetErrors
+from derive.errors import Place, SheetError, SheetErrors
 from derive.given.collected import of_problem, of_question, says_in_questions
 from derive.given.datum import Datum
 from derive.given.screws_held import Misgiven
 from derive.kinds.problem import Problem as Working
+from derive.quoted import misgiven
 from derive.render.document import ProblemPage, QuestionPage
 from derive.render.mentioned import Mentioned
 from derive.render.twists import swapped
@@ -24,7 +26,9 @@ def with_given(page: ProblemPage, problem: Problem, working: Working) -> Problem
     if says_in_questions(problem.subject_name):
         asked = page.questions
     texts = [page.title, page.text, *(each.text for each in asked)]
-    questions = tuple(map(_asked, page.questions, problem.questions, [page] * len(page.questions)))
+    questions = tuple(
+        _asked(*pair, page, working) for pair in zip(page.questions, problem.questions, strict=True)
+    )
     if problem.given is False:
         return replace(page, questions=questions)
     try:
@@ -32,15 +36,25 @@ def with_given(page: ProblemPage, problem: Problem, working: Working) -> Problem
     except Misgiven as error:
         message = f"what is given of problem {problem.number} failed its own check: {error}"
         raise SheetErrors([SheetError(message, problem.place)]) from error
+    _require_typed(data, (), working, problem.place)
     return replace(page, questions=questions, given=data if problem.given else _unsaid(data, texts))
 
 
-def _asked(page: QuestionPage, question: Question, whole: ProblemPage) -> QuestionPage:
+def _require_typed(data: Sequence[Datum], options: Any, working: Working, place: Place | None) -> None:
+    """Raises SheetErrors where the page would give what was not typed."""
+    if wrong := [*misgiven(data, options, working)]:
+        said = f"what the page gives failed its own check: {', '.join(wrong)} is not what was typed"
+        raise SheetErrors([SheetError(said, place)])
+
+
+def _asked(page: QuestionPage, question: Question, whole: ProblemPage, working: Working) -> QuestionPage:
     texts = [whole.title, whole.text, page.text, page.hint]
     options = question.options
     if whole.notation.angular_first and (twist := getattr(options, "twist", None)):
         options = options.model_copy(update={"twist": swapped(twist)})
-    return replace(page, given=_unsaid(of_question(options, question.evaluate or {}), texts))
+    data = tuple(of_question(options, question.evaluate or {}))
+    _require_typed(data, (options, question.evaluate), working, question.place)
+    return replace(page, given=_unsaid(data, texts))
 
 
 def _unsaid(data: Iterable[Datum], texts: Iterable[str]) -> tuple[Datum, ...]:

@@ -13,6 +13,7 @@ from derive.kinds.measured import InDecimals
 from derive.kinds.problem import Problem, expressions
 from derive.kinds.registry import words_folder
 from derive.named import strangers
+from derive.quoted import unquoted
 from derive.sheet.model import Question
 from derive.sheet.source import At
 
@@ -25,6 +26,9 @@ AS_WRITTEN = (
     "the answer failed its own check: a formula of it, read as it is written, is not the value it stands for"
 )
 UNKNOWN = "the answer failed its own check: it does not say what these names stand for: {}"
+UNQUOTED = (
+    "the answer failed its own check: no line, no result and nothing typed says what a sentence does ({})"
+)
 REPORT = "please report this with the sheet"
 PROVE = "its author must claim a law or an independent route: see 'What proves an answer' in CONTRIBUTING.md"
 
@@ -55,6 +59,8 @@ def answered(question: Question, working: Problem) -> Derivation:
         raise SheetErrors([SheetError(UNPROVED.format(derivation.kind), question.place, PROVE)])
     if unknown := strangers(derivation, question.options, working):
         raise SheetErrors([SheetError(UNKNOWN.format(", ".join(sorted(unknown))), question.place, REPORT)])
+    if alone := [*unquoted(derivation, question.options, working)]:
+        raise SheetErrors([SheetError(UNQUOTED.format(", ".join(alone)), question.place, REPORT)])
     return derivation
 
 

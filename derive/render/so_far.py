@@ -78,7 +78,8 @@ class SoFar:
         """A display between its marks."""
         told = (k for k, each in enumerate(self.equations) if each.same(equation))
         key = next(told, len(self.equations))
-        if key < len(self.equations) and not self.equations[key].same(equation):
+        met = self.equations[key : key + 1]
+        if any(_ends(each) != _ends(equation) or not each.same(equation) for each in met):
             raise NotAsWritten("an equation has the number of another")
         if framed:
             self.counted.add(key)
@@ -183,6 +184,10 @@ def _used(derivation: Derivation) -> Iterator[Derivation]:
     for used in derivation.uses:
         yield used
         yield from _used(used)
+
+
+def _ends(equation: Equation) -> list[Expr]:
+    return [chain[-1] for chain in equation.chains]
 
 
 def _says(equation: Equation, name: Expr) -> bool:

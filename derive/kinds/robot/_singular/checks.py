@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import chain, combinations
 from typing import Any
 
 from derive.algebra.infix import text
@@ -79,14 +79,15 @@ class Checked:
         """About the lines, the sets, and what is said of each."""
         some = [at for _, at in zip(range(POINTS), self.J.points, strict=False)]
         yield route("jacobian-seen", (self._seen(part.block, at) for part in self.way.parts for at in some))
-        yield route("determinant-seen", (each for at in some for each in self._determined(at)))
+        determined = (each for at in some for each in self._determined(at))
+        yield route("determinant-seen", chain(determined, self._kinds_of_rows(self.J.whole(some[0]))))
         yield route("full-rank", (rank_at(J := self.J.whole(at)) == min(J.shape) for at in some))
         for branch, each, case in self._listed():
             yield from self._of_branch(branch, each, case)
             if case is not None and case.J is not None:
                 names = ", ".join(zero.variable for zero in case.zeros)
                 yield route("spaces", _spaces(self.J, each, case), names=names)
-        if said := [*self._words(), *self._kinds_of_rows(self.J.whole(some[0]))]:
+        if said := [*self._words()]:
             yield route("looks-in-words", said)
         if spaces := [*self._spaces_told()]:
             yield route("spaces-told", spaces)
