@@ -30,7 +30,9 @@ from derive.expression import (
     Symbol,
     between,
     children,
+    free_symbols,
     number,
+    replace,
     walk,
 )
 from derive.given.datum import Datum
@@ -41,28 +43,33 @@ from derive.mechanics.robot import Robot
 
 OWN: Mapping[str, str] = {  # fields of phrases which claims of their kinds hold
     "advances": "turn", "again": "times", "all-turn": "passing", "annulus-alone": "far near",
-    "axes-of-turns": "turn", "axis": "letter", "bounds-met": "chain", "cone-of-directions": "cosines",
-    "converged": "bound error", "cubic-greatest": "half", "cubic-law": "share",
+    "annulus-too": "far inner near", "axes-of-turns": "turn", "axis": "letter", "beside": "angle",
+    "bounds-met": "chain", "circle-alone": "far near", "circle-too": "far inner near",
+    "cone-of-approaches": "cosines", "cone-of-directions": "cosines", "converged": "bound error",
+    "coupled-rows": "passing", "cubic-greatest": "half", "cubic-law": "share",
     "cycloidal-greatest": "early half late", "cycloidal-law": "share", "definite-just-where": "conditions",
-    "either-or": "need opposite", "error-below": "bound", "follows": "chain equation", "forwards": "ahead",
-    "free-row": "frame before", "free-row-one": "frame before", "goes-evenly": "when", "goes-on": "end",
-    "gradient-goes-on": "share", "gradient-stopped-at-once": "bound", "greater-if": "when", "if": "when",
-    "input-jumps": "start", "just-room": "area", "kept-where": "conditions",
-    "last-link-within": "far inside", "last-of": "equation", "least-rates": "plus", "leg-folded": "leg",
-    "leg-stretched": "leg", "longer-if": "when", "minors": "det", "negative-at": "minor",
-    "newton-stopped-at-once": "bound", "no-room": "area", "not-yet": "bound", "outer-axes-too": "middle",
-    "overshoot-at": "time", "pair": "imaginary real", "pitch": "turn", "plateau": "area",
-    "possible-acceleration": "least", "possible-velocity": "least most", "put-back": "off",
-    "quartic-there": "quartic", "quintic-greatest": "early half late", "quintic-law": "share",
-    "quintic-peaks": "early late", "ramps": "ramp", "rise": "ends", "room": "area",
-    "seen-block": "block input", "seen-sum": "input", "settles": "origin", "slower": "square",
-    "slows-down": "when", "speeds-up": "when", "square-follows": "chain", "still-row": "frame before",
-    "still-row-one": "frame before", "takes": "freedoms", "then-about-current": "product",
+    "disc-alone": "far near", "disc-and": "far inner near", "disc-if-any": "far inner outer",
+    "disc-without-ring": "far inner outer", "either-or": "need opposite", "error-below": "bound",
+    "follows": "chain equation", "forwards": "ahead", "free-row": "frame before",
+    "free-row-one": "frame before", "goes-evenly": "when", "goes-on": "end", "gradient-goes-on": "share",
+    "gradient-stopped-at-once": "bound", "greater-if": "when", "if": "when", "input-jumps": "start",
+    "just-room": "area", "kept-where": "conditions", "last-link-anywhere": "far",
+    "last-link-within": "far gap inside", "last-of": "equation", "least-rates": "plus", "leaves-range": "t",
+    "leg-folded": "leg", "leg-stretched": "leg", "longer-if": "when", "minors": "det",
+    "negative-at": "minor", "newton-stopped-at-once": "bound", "no-room": "area", "not-yet": "bound",
+    "outer-axes-too": "middle", "overshoot-at": "time", "pair": "imaginary real", "pitch": "turn",
+    "plateau": "area", "possible-acceleration": "least", "possible-velocity": "least most",
+    "put-back": "off", "quartic-there": "quartic", "quartic-without-roots": "quartic",
+    "quintic-greatest": "early half late", "quintic-law": "share", "quintic-peaks": "early late",
+    "ramps": "ramp", "rise": "ends", "room": "area", "seen-block": "block input", "seen-sum": "input",
+    "settles": "origin", "slower": "square", "slows-down": "when", "speeds-up": "when",
+    "square-follows": "chain", "still-row": "frame before", "still-row-one": "frame before",
+    "takes": "freedoms", "the-base": "far near", "then-about-current": "product",
     "then-along-world": "product", "together-named": "names", "too-little-turn": "turn", "tracks": "origin",
     "turn-or-advance": "passing", "turn-or-slide": "passing", "turns": "turn", "uneven-ellipse": "ratio",
-    "where": "need", "with-unit": "name",
+    "where": "need", "where-not-negative": "condition", "with-unit": "name",
 }  # fmt: skip
-WORKED_OUT = ("home", "observed", "observed-one", "rows-standard", "rows-modified", "screws", "stewart")
+WORKED_OUT = ("home", "observed", "observed-one", "screws", "stewart")  # tables and equations
 TREES = get_args(Expr)
 NUMBERS = (Number, Approximate, Degrees)
 NAMES = (Symbol, Indexed)
@@ -91,7 +98,7 @@ def misgiven(data: Iterable[Datum], options: Any, problem: Problem) -> Iterator[
         yield from board.strange(_phrases(datum))
         rows = datum.table.rows if datum.table else ()
         if datum.said.key not in WORKED_OUT and not all(
-            map(board.says, _mathematics((rows, datum.equations)))
+            map(board.says, _formulas(tuple(_mathematics((rows, datum.equations)))))
         ):
             yield datum.said.key
 
@@ -118,6 +125,7 @@ def _phrases(value: Any) -> Iterator[Phrase]:
 
 
 def _formulas(said: Any) -> Iterator[Formula]:
+    """Those of a field, joint variables without the star that tables give them."""
     match said:
         case tuple():
             for each in said:
@@ -125,7 +133,10 @@ def _formulas(said: Any) -> Iterator[Formula]:
         case Relation():
             yield said
         case _ if isinstance(said, TREES) and not isinstance(said, NAMES):
-            yield said
+            stars: dict[Expr, Expr] = {
+                Symbol(name): Symbol(name[:-1]) for name in free_symbols(said) if name.endswith("*")
+            }
+            yield replace(said, stars)
 
 
 @dataclass

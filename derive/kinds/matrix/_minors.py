@@ -85,7 +85,7 @@ def minors(work: Work, found: GivenInertia) -> tuple[Work, Phrase, bool]:
     )
     negative = next(_negative(work, found, names, best), None)
     if negative:
-        work = work.claim(route("negative-there", _eigenvalues(found, negative.at(found))[0] < 0))
+        work = work.claim(route("negative-there", _is_negative(work, found, negative)))
     told = negative.told(found) if negative else _told(work, found, names, best)
     if told.key.startswith("definite-where") and (least := worst(found, _unknown(names, best))):
         work, told = work.claim(route("all-around", holds(found, least))), least.told(found.name)
@@ -209,6 +209,18 @@ def _judged(work: Work, found: GivenInertia, names: list[Symbol], best: Minors) 
         told = [number(work[name], at) > 0 if sign is None else sign > 0 for name, sign in pairs]
         sizes = _eigenvalues(found, at)
         yield bool(sizes[0] > NOTHING * max(abs(sizes))) == all(told)
+
+
+def _is_negative(work: Work, found: GivenInertia, told: Negative) -> Iterator[bool]:
+    """Whether the matrix has a negative eigenvalue where it is said, and the minor its value."""
+    at, about = told.at(found), told.told(found).about
+    yield bool(_eigenvalues(found, at)[0] < 0)
+    minor, place = about["minor"], about["place"]
+    assert isinstance(minor, Relation) and isinstance(place, tuple)
+    yield minor.sign == "=" and close(number(work[told.minor], at), number(minor.right, {}))
+    for each in place:
+        assert isinstance(each, Relation) and isinstance(each.left, Symbol)
+        yield each.sign == "=" and close(at[each.left.name], number(each.right, {}))
 
 
 def _eigenvalues(found: GivenInertia, at: Point) -> Any:

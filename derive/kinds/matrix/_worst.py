@@ -10,12 +10,13 @@ from typing import Any
 
 from derive.algebra.angles import Form
 from derive.algebra.normal import normal
-from derive.algebra.numbers.floats import number
+from derive.algebra.numbers.floats import Point, number
 from derive.algebra.scalar import Scalar, trig
 from derive.algebra.substitution import pinned
-from derive.derivation import Phrase
+from derive.derivation import Phrase, Said
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Relation, Symbol, cos
+from derive.kinds.fields import TREES
 from derive.kinds.matrix._inertia import GivenInertia
 from derive.kinds.robot._dynamics.definite import is_positive
 
@@ -74,6 +75,8 @@ def holds(found: GivenInertia, told: Worst) -> Iterator[bool]:
     """Whether the conditions are met just where the matrix in numbers is positive definite all around."""
     import numpy as np
 
+    conditions = told.told(found.name).about["conditions"]
+    assert isinstance(conditions, tuple)
     (name,) = [each for each in found.variables if told.cosine == cos(Symbol(each))]
     for at in found.points(POINTS):
         for grown in (1.0, 4.0):
@@ -82,7 +85,14 @@ def holds(found: GivenInertia, told: Worst) -> Iterator[bool]:
                 np.linalg.eigvalsh(found.numbers({**here, name: 2 * pi * k / AROUND}))[0]
                 for k in range(AROUND)
             ]
-            yield (min(sizes) > 0) == all(number(each, here) > 0 for each in told.positive)
+            yield (min(sizes) > 0) == all(_is_met(each, here) for each in conditions)
+
+
+def _is_met(said: Said, here: Point) -> bool:
+    """Whether a condition holds, as it is said: something is positive."""
+    if not isinstance(said, Relation) or not isinstance(said.left, TREES):
+        return False
+    return said.sign == ">" and number(said.left, here) > number(said.right, here)
 
 
 def _grown(found: GivenInertia, at: Any, by: float) -> dict[str, float]:

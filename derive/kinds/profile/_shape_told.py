@@ -10,7 +10,7 @@ from math import isclose
 from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Cell, Claim, Label, Phrase, Said, Step, Table, as_matrix
-from derive.expression import ZERO, Expr, Relation, Symbol, number, sqrt
+from derive.expression import ZERO, Expr, Relation, Symbol, free_symbols, number, sqrt
 from derive.kinds.checks import law, route
 from derive.kinds.fields import TREES
 from derive.kinds.meanings import Chain
@@ -192,10 +192,19 @@ def said_of(
     rates |= {name: rate for axis in each.axes for rate, name in axis.limits.items()}
     yield all(rates.get(name) == rate for name, _, rate in given)
     yield greatest is not None and _greatest_there(each.law, greatest)
-    yield opening is not None and opening.key == LAWS[each.law]
+    yield opening is not None and opening.key == LAWS[each.law] and _is_share(opening.about["share"])
     back = any(axis.backwards for axis in each.axes)
     yield (way is not None and way.key.startswith("backwards")) == back
     yield (way is not None) == (back or any(axis.open for axis in each.axes))
+
+
+def _is_share(said: Said) -> bool:
+    """Whether it is said to be the time that has passed, as a share of the whole."""
+    if not isinstance(said, Relation) or said.sign != "=" or not isinstance(said.left, TREES):
+        return False
+    names = free_symbols(said.left) | free_symbols(said.right)
+    at = dict.fromkeys(names, 2.0) | {NOW.name: 0.6, TAU.name: 0.3}
+    return all(isclose(value_of(side, at), 0.3) for side in (said.left, said.right))
 
 
 def _greatest_there(kind: shapes.Law, said: Phrase) -> bool:

@@ -7,7 +7,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import number_rows
-from derive.derivation import Claim
+from derive.derivation import Claim, Phrase, Said
 from derive.errors import NotReal
 from derive.expression import Matrix, free_symbols
 from derive.kinds.checks import random_points, route
@@ -62,22 +62,22 @@ def apart(z: Array, d: Array) -> float:
     return float(np.linalg.norm(np.cross(z, d)))
 
 
-def sorts(
-    problem: Problem,
-    J: Matrix,
-    joints: Sequence[int],
-    turning: Sequence[int],
-    sliding: Sequence[int],
-    helical: Sequence[int],
-) -> Claim:
-    """That each joint is of the sort it is said to be, by its column of a Jacobian (6 by n): one that turns
-    has an angular velocity w, one that slides none, and a pitch is w v/w w, v being that of any point."""
+def sorts(problem: Problem, J: Matrix, joints: Sequence[int], said: Sequence[Phrase | None]) -> Claim:
+    """That each joint is of the sort it is said to be, and of one, by its column of a Jacobian (6 by n): one
+    that turns has an angular velocity w, one that slides none, and a pitch is w v/w w, v being that of any
+    point."""
+    told = {key: listed for each in said if each for key, listed in each.about.items()}
+    turning, sliding, helical = (_numbers(told.get(key, ())) for key in ("turning", "sliding", "helical"))
     symbols, oracle = problem.symbols | free_symbols(J), oracle_of(problem)
     for point in random_points(symbols - problem.where.keys(), TRIES):
         with suppress(NotReal):
             columns = dict(zip(joints, zip(*number_rows(J, oracle.at(point)), strict=True), strict=True))
             return route("joint-sorts", _sorts(columns, turning, sliding, helical))
     raise NotReal("no values of the symbols were found for which this is real, so nothing was verified")
+
+
+def _numbers(said: Said) -> tuple[int, ...]:
+    return tuple(each for each in said if isinstance(each, int)) if isinstance(said, tuple) else ()
 
 
 def _sorts(

@@ -110,7 +110,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = by_index(work, result)
     if not kinds.coupled:
         joints = [i for i, _ in found.moving]
-        work = work.claim(sorts(problem, written, joints, kinds.turning, kinds.sliding, kinds.helical))
+        work = work.claim(sorts(problem, written, joints, (kinds.told, kinds.advancing)))
     facts = _facts(found, point, kinds, made, value, end=options.point is None)
     return work.answer("jacobian", result, facts, matrices=frozenset(result))
 

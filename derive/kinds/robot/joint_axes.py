@@ -13,7 +13,7 @@ from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import Point, completed, numbers
 from derive.derivation import Derivation, PageFacts, Phrase, Said
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Symbol, symbols
 from derive.kinds.checks import TRIES, close, random_points, route
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -82,7 +82,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     aside = [name for name in vectors if text(name)[0] in "kp"]
     own, ways = [name for name in vectors if name not in aside], _ways(found, aside)
     beside = _together(aside) if found.coupling else tuple(_lying(problem.subject, *way) for way in ways)
-    if any(letter for _, letter in ways):
+    if ways:
         work = work.claim(route("along", _are_along(problem, beside)))
     facts = Facts(vectors=said_of_each(VECTORS, own), beside=beside)
     return work.answer("joint-axes", results, facts, unread=LINKS_ALONE)
@@ -115,9 +115,12 @@ def _lying(robot: Robot, i: int, letter: str) -> Phrase:
 
 
 def _are_along(problem: Problem, told: Sequence[Phrase]) -> Iterator[bool]:
-    """Whether axes that are said to be along those of frames are, in numbers."""
+    """Whether what is said of a joint has its number, and axes that are said to be along those of frames are,
+    in numbers."""
     import numpy as np
 
+    for about in (each.about for each in told):
+        yield (about["k"], about["p"]) == symbols(f"k_{about['joint']} p_{about['joint']}")
     for point in islice(random_points(problem.symbols, TRIES), POINTS):
         arm = Instant(oracle_of(problem), completed(point, problem.where))
         poses = arm.oracle.poses(arm.at)

@@ -66,9 +66,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     if not kinds.coupled:
         joints = [i for i, _ in found.moving]
-        work = work.claim(
-            sorts(problem, work.matrix(name), joints, kinds.turning, kinds.sliding, kinds.helical)
-        )
+        work = work.claim(sorts(problem, work.matrix(name), joints, (kinds.told, kinds.advancing)))
     results = {name.name: work.final(name)}
     return work.answer("space-jacobian", results, facts, matrices=frozenset(results))
 

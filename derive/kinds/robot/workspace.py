@@ -23,7 +23,7 @@ from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach import drawn, sampled
 from derive.kinds.robot._reach.by_section import by_section, cut
 from derive.kinds.robot._reach.checks import Reached
-from derive.kinds.robot._reach.dexterous import described, rings, rings_within, with_unit
+from derive.kinds.robot._reach.dexterous import Rings, described, is_said, rings, rings_within, with_unit
 from derive.kinds.robot._reach.every_way import dexterous
 from derive.kinds.robot._reach.facts import Facts as Facts
 from derive.kinds.robot._reach.facts import Limits
@@ -132,7 +132,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         everywhere = rings(problem, region)
         facts = replace(facts, secondary=_in_lengths(problem, described(everywhere)))
         turned = TurningAbout(problem, found, point).rings(everywhere)
-        work = work.claim(route("orientations", turned))
+        work = work.claim(route("orientations", turned), _as_called(everywhere, facts))
     reached = Reached(problem, found, point, region, {1: r_max, -1: r_min})
     work = work.claim(*reached.claims(steps, region.smallest[-1] == ZERO, inner))
     called = region_told(region, region.smallest[-1] == ZERO)
@@ -219,9 +219,16 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
         numbers=(*told,),
         page_names={name: heads[name] for name in told},
     )
+    if everywhere:
+        work = work.claim(_as_called(everywhere, facts))
     return work.answer(
         "workspace", {**told, "description": shape.description}, facts, plots=plots, units=units
     )
+
+
+def _as_called(everywhere: Rings, facts: Facts) -> Claim:
+    """That the positions with every orientation are called by the ends of their rings."""
+    return route("orientations", facts.secondary is not None and is_said(everywhere, facts.secondary))
 
 
 def _in_lengths(problem: Problem, told: Phrase) -> Phrase:

@@ -124,7 +124,7 @@ class Lines:
             middle = case.said.about["middle"]
             yield case.said.key == ("outer-axes-too" if k else "outer-axes")
             yield (case.said.about["a"], case.said.about["b"]) == (Symbol(first), Symbol(last))
-            assert isinstance(middle, Relation) and isinstance(middle.left, Symbol)
+            assert isinstance(middle, Relation) and isinstance(middle.left, Symbol) and middle.sign == "="
             at = {**point, middle.left.name: arrays(middle.right, {})}
             at |= self.target.goal.numbers(tool(at))
             known = defined(self.worked.all_items, at)

@@ -14,7 +14,7 @@ from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.signs import sign_of
 from derive.derivation import Phrase, Said
 from derive.errors import NotDerivable
-from derive.expression import PI, ZERO, Expr, Number, Symbol, add, measured, multiply
+from derive.expression import PI, ZERO, Expr, Measured, Number, Symbol, add, measured, multiply
 from derive.kinds.problem import Problem
 from derive.kinds.robot._reach.regions import Region, final_distance, secondary
 from derive.names import free
@@ -134,6 +134,22 @@ def described(found: Rings) -> Phrase:
             about = {"inner": inside, "near": low, "far": high}
             return Phrase(center, about | {"ring": Phrase(ring, about)})
     raise ValueError("more than two rings")
+
+
+def is_said(found: Rings, told: Phrase) -> bool:
+    """Whether what the region is called has the ends of its rings, from the inside."""
+    ends = [end for piece in found.pieces or () for end in piece]
+    if found.pieces is None:
+        names, wanted = ("far", "inner", "outer"), [found.r_max, found.low, found.high]
+    else:
+        names, wanted = ("inner", "near", "far"), ends[1:] if len(ends) == 4 else ends
+    parts = (told, *(each for each in told.about.values() if isinstance(each, Phrase)))
+    said = [[_bare(part.about[name]) for name in names if name in part.about] for part in parts]
+    return all(each == wanted[-len(each) :] for each in said if each)
+
+
+def _bare(said: Said) -> Said:
+    return said.value if isinstance(said, Measured) else said
 
 
 def holds(pieces: Sequence[tuple[float, float]], r: float) -> bool:

@@ -165,6 +165,9 @@ class Checked:
             size = arrays(gram, {self.way.parts[0].block.name: np.ones((m, n))}).shape
             yield m != n and size == (min(m, n),) * 2
             yield self.told.taken.key == ("more-columns" if m < n else "more-rows")
+        for part, said in zip(self.way.parts, self.told.parts, strict=True):
+            rates = tuple(Symbol(f"{name}_dot") for name in part.block.variables)
+            yield said.about["frame"] == part.block.frame and said.about.get("rates", rates) == rates
         outer = (each for each in self.sets if not each.inner)
         for each, told in zip(outer, self.told.sets, strict=True):
             yield told.frame == each.block.frame
