@@ -1,12 +1,13 @@
-"""What a sentence says in mathematics it quotes: from a line, a name, a result, a table, or the sheet.
+"""What a sentence says in mathematics is not the opposite of what is said elsewhere.
 
-A formula within a sentence is part of no chain, so no link between lines holds it. It is looked for, as a
-whole or as a part, in what is verified elsewhere. An equation may be true by what its names mean instead.
-Formulas that are said in sentences alone (`OWN`) are left to the claims of their kinds.
+A formula within a sentence is part of no chain, so no link between lines holds it. It is looked for in what
+is verified elsewhere, and typed: where only its negative is found, or a relation between the same sides with
+another sign, the sentence is wrong.
 """
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from math import isclose, radians
@@ -16,8 +17,6 @@ from pydantic import BaseModel
 
 from derive.derivation import Derivation, Phrase
 from derive.expression import (
-    ONE,
-    ZERO,
     Approximate,
     Call,
     Degrees,
@@ -31,9 +30,9 @@ from derive.expression import (
     between,
     children,
     free_symbols,
+    negate,
     number,
     replace,
-    walk,
 )
 from derive.given.datum import Datum
 from derive.kinds.problem import Problem
@@ -41,66 +40,56 @@ from derive.kinds.somewhere import Somewhere, contradicted, values_of
 from derive.mechanics.dynamics import gravity_of
 from derive.mechanics.robot import Robot
 
-OWN: Mapping[str, str] = {  # fields of phrases which claims of their kinds hold
-    "advances": "turn", "again": "times", "all-turn": "passing", "annulus-alone": "far near",
-    "annulus-too": "far inner near", "axes-of-turns": "turn", "axis": "letter", "beside": "angle",
-    "bounds-met": "chain", "circle-alone": "far near", "circle-too": "far inner near",
-    "cone-of-approaches": "cosines", "cone-of-directions": "cosines", "converged": "bound error",
-    "coupled-rows": "passing", "cubic-greatest": "half", "cubic-law": "share",
-    "cycloidal-greatest": "early half late", "cycloidal-law": "share", "definite-just-where": "conditions",
-    "disc-alone": "far near", "disc-and": "far inner near", "disc-if-any": "far inner outer",
-    "disc-without-ring": "far inner outer", "either-or": "need opposite", "error-below": "bound",
-    "follows": "chain equation", "forwards": "ahead", "free-row": "frame before",
-    "free-row-one": "frame before", "goes-evenly": "when", "goes-on": "end", "gradient-goes-on": "share",
-    "gradient-stopped-at-once": "bound", "greater-if": "when", "if": "when", "input-jumps": "start",
-    "just-room": "area", "kept-where": "conditions", "last-link-anywhere": "far",
-    "last-link-within": "far gap inside", "last-of": "equation", "least-rates": "plus", "leaves-range": "t",
-    "leg-folded": "leg", "leg-stretched": "leg", "longer-if": "when", "minors": "det",
-    "negative-at": "minor", "newton-stopped-at-once": "bound", "no-room": "area", "not-yet": "bound",
-    "outer-axes-too": "middle", "overshoot-at": "time", "pair": "imaginary real", "pitch": "turn",
-    "plateau": "area", "possible-acceleration": "least", "possible-velocity": "least most",
-    "put-back": "off", "quartic-there": "quartic", "quartic-without-roots": "quartic",
-    "quintic-greatest": "early half late", "quintic-law": "share", "quintic-peaks": "early late",
-    "ramps": "ramp", "rise": "ends", "room": "area", "seen-block": "block input", "seen-sum": "input",
-    "settles": "origin", "slower": "square", "slows-down": "when", "speeds-up": "when",
-    "square-follows": "chain", "still-row": "frame before", "still-row-one": "frame before",
-    "takes": "freedoms", "the-base": "far near", "then-about-current": "product",
-    "then-along-world": "product", "together-named": "names", "too-little-turn": "turn", "tracks": "origin",
-    "turn-or-advance": "passing", "turn-or-slide": "passing", "turns": "turn", "uneven-ellipse": "ratio",
-    "where": "need", "where-not-negative": "condition", "with-unit": "name",
+OWN: Mapping[str, str] = {  # fields of phrases with a sign of their own, which claims hold
+    "axis": "letter", "follows": "equation", "limit-alone": "equation", "limit-while": "equation",
+    "screws": "table",
 }  # fmt: skip
-WORKED_OUT = ("home", "observed", "observed-one", "screws", "stewart")  # tables and equations
 TREES = get_args(Expr)
 NUMBERS = (Number, Approximate, Degrees)
 NAMES = (Symbol, Indexed)
 Formula = Expr | Relation
 Pair = tuple[Expr, str, Expr]
-PLAIN = (ZERO, ONE)  # entries of any matrix
+SAME = 1e-12
+OPPOSITE = {"=": "!=", "!=": "=", "<=": ">=", ">=": "<="}  # x < 0 and x > 0 are cases
 TURNED = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 
-def unquoted(answer: Derivation, options: Any, problem: Problem) -> Iterator[str]:
-    """The fields of phrases, as `key.field`, that hold a formula which stands nowhere else."""
+def misquoted(answer: Derivation, options: Any, problem: Problem) -> Iterator[str]:
+    """The fields of phrases, as `key.field`, that hold the opposite of what is verified."""
+    known: Known = problem.memo.seen.setdefault("quoted", Known())
+    checked: dict[int, Derivation] = problem.memo.seen.setdefault("checked", {})
     told = [*_rested_on(answer)]
-    checked: dict[int, Derivation] = problem.memo.seen.setdefault("quoted", {})
     new = [each for each in told if id(each) not in checked]
-    checked.update((id(each), each) for each in new)
-    phrases = _phrases([(each.facts, each.plots, *(step.facts for step in each.all_steps())) for each in new])
-    board = Board((options, problem.where, problem.points), problem.subject, told)
-    yield from board.strange(phrases)
+    checked |= {id(each): each for each in new}
+    for each in new:
+        known.take(_outside(each))
+    known.take((options, problem.where, problem.points, problem.subject, _within(problem.subject)))
+    names = {name: value for each in told for name, value in each.definitions.items()}
+    said = [
+        (each.facts, each.plots, each.results, *(step.facts for step in each.all_steps())) for each in new
+    ]
+    yield from Board(known, Somewhere(names)).strange(_phrases(said))
 
 
 def misgiven(data: Iterable[Datum], options: Any, problem: Problem) -> Iterator[str]:
-    """The same of what the page says that a problem gives, or a question: by its table and equations too."""
-    taken = gravity_of(problem.subject) if isinstance(problem.subject, Robot) else ()
-    board = Board((options, problem.where, problem.points, taken), problem.subject, [])
+    """The same of what the page says that a problem gives, or a question: by its table and equations too, and
+    of its numbers."""
+    subject = problem.subject
+    taken = gravity_of(subject) if isinstance(subject, Robot) else ()
+    typed = Known()
+    typed.take((options, problem.where, problem.points, subject, _within(subject), taken))
+    board = Board(typed, Somewhere({}), numbers=True)
     for datum in data:
         yield from board.strange(_phrases(datum))
         rows = datum.table.rows if datum.table else ()
-        if datum.said.key not in WORKED_OUT and not all(
-            map(board.says, _formulas(tuple(_mathematics((rows, datum.equations)))))
-        ):
+        shown = _formulas(tuple(_mathematics((rows, datum.equations))))
+        if OWN.get(datum.said.key) != "table" and any(map(board.denies, shown)):
             yield datum.said.key
+
+
+def _within(subject: Any) -> list[Relation]:
+    ranges: Mapping[str, tuple[Expr, Expr]] = getattr(subject, "ranges", {})
+    return [between(low, Symbol(name), high) for name, (low, high) in ranges.items()]
 
 
 def _rested_on(answer: Derivation) -> Iterator[Derivation]:
@@ -139,82 +128,90 @@ def _formulas(said: Any) -> Iterator[Formula]:
             yield replace(said, stars)
 
 
-@dataclass
-class Board:
-    """All that is verified elsewhere: what the sheet has, and what answers say outside of sentences."""
+@dataclass(frozen=True, slots=True)
+class Known:
+    """Mathematics outside of sentences, each part of a formula by itself, by what it is and of how many
+    parts. Formulas that were taken in are not again."""
 
-    typed: Any
-    subject: Any
-    answers: list[Derivation]
-    trees: list[Expr] = field(default_factory=list)
+    nodes: dict[tuple[type, int], list[Expr]] = field(default_factory=lambda: defaultdict(list))
     relations: set[Pair] = field(default_factory=set)
-    at: Somewhere = field(init=False)
+    taken: dict[int, Expr] = field(default_factory=dict)
 
-    def __post_init__(self) -> None:
-        """Names and formulas are gathered once."""
-        names: dict[Expr, Expr] = {}
-        for each in self.answers:
-            names |= each.definitions
-        self.at = Somewhere(names)
-        ranges = getattr(self.subject, "ranges", {})
-        within = [between(low, Symbol(name), high) for name, (low, high) in ranges.items()]
-        for part in (self.typed, self.subject, within, *map(_outside, self.answers)):
-            for found in _mathematics(part):
-                if isinstance(found, Relation):
-                    self.relations |= {*_pairs(found)}
-                    self.trees += _sides(found)
-                else:
-                    self.trees.append(found)
+    def take(self, value: Any) -> None:
+        """All in a value."""
+        for found in _mathematics(value):
+            if isinstance(found, Relation):
+                self.relations.update(_pairs(found))
+            for tree in _sides(found) if isinstance(found, Relation) else (found,):
+                if id(tree) not in self.taken:
+                    self.taken[id(tree)] = tree
+                    self._gather(tree)
+
+    def _gather(self, tree: Expr) -> None:
+        pending = [tree]
+        while pending:
+            node = pending.pop()
+            parts = children(node)
+            self.nodes[type(node), len(parts)].append(node)
+            pending.extend(parts)
+
+    def has(self, tree: Expr) -> bool:
+        """Whether it stands here, as a whole or as a part; a number by its size."""
+        if not isinstance(tree, NUMBERS):
+            return tree in self.nodes.get((type(tree), len(children(tree))), ())
+        found = (node for kind in NUMBERS for node in self.nodes.get((kind, 0), ()))
+        return any(
+            isclose(a, b, rel_tol=SAME) for node in found for a in _values(node) for b in _values(tree)
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Board:
+    """All that is verified elsewhere, and what names mean; numbers are judged where all are typed."""
+
+    known: Known
+    at: Somewhere
+    numbers: bool = False
 
     def strange(self, phrases: Iterable[Phrase]) -> Iterator[str]:
-        """The fields with a formula that this does not say."""
+        """The fields with a formula of which this says the opposite."""
         for phrase in phrases:
             for name, said in phrase.about.items():
-                own = name in OWN.get(phrase.key, "").split()
-                if not own and not all(map(self.says, _formulas(said))):
+                if OWN.get(phrase.key) != name and any(map(self.denies, _formulas(said))):
                     yield f"{phrase.key}.{name}"
 
-    def says(self, formula: Formula) -> bool:
-        """Whether it stands here, or is true."""
+    def denies(self, formula: Formula) -> bool:
+        """Whether the opposite stands here, and it does not."""
         if not isinstance(formula, Relation):
-            return self._has(formula)
-        pairs = {*_pairs(formula)}
-        if pairs <= self.relations:
-            return True
-        return all(sign == "=" for _, sign, _ in pairs) and self._equal(_sides(formula))
+            return self._denies(formula)
+        strange, sides = {*_pairs(formula)} - self.known.relations, _sides(formula)
+        opposite = ((one, OPPOSITE.get(sign, ""), other) for one, sign, other in strange)
+        otherwise = any(pair in self.known.relations for pair in opposite)
+        return otherwise or (bool(strange) and not self._equal(sides) and any(map(self._denies, sides)))
 
     def _equal(self, sides: list[Expr]) -> bool:
-        """What is true by what names mean, or says of a thing what is said elsewhere."""
+        """Whether they are, by what names mean."""
         values = [*values_of(sides, self.at)]
-        true = len(values) == len(sides) and not contradicted(sides, self.at)
-        return true or all(map(self._has, sides))
+        return len(values) == len(sides) and not contradicted(sides, self.at)
 
-    def _has(self, tree: Expr) -> bool:
+    def _denies(self, tree: Expr) -> bool:
         if isinstance(tree, Measured):
-            return self._has(tree.value)
-        if isinstance(tree, NAMES):
-            return True
-        if isinstance(tree, NUMBERS):
-            return self._has_number(tree)
-        kind, size = type(tree), len(children(tree))
-        whole = any(
-            type(node) is kind and len(children(node)) == size and node == tree
-            for each in self.trees
-            for node in walk(each)
-        )
-        return whole or (
-            _is_vector(tree) and all(entry in PLAIN or self._has(entry) for entry in children(tree))
-        )
-
-    def _has_number(self, tree: Any) -> bool:
-        wanted = _values(tree)
-        nodes = (node for each in self.trees for node in walk(each) if isinstance(node, NUMBERS))
-        return any(isclose(a, b, rel_tol=1e-12) for node in nodes for a in _values(node) for b in wanted)
+            return self._denies(tree.value)
+        if isinstance(tree, NUMBERS) and (not self.numbers or _is_count(tree)):
+            return False  # one that was found may be the opposite of another
+        if (
+            isinstance(tree, NAMES)
+            or self.known.has(tree)
+            or (isinstance(tree, Matrix) and tree.shape[1] > 1)
+        ):
+            return False
+        if isinstance(tree, Matrix) or (isinstance(tree, Call) and tree.function == "diag"):
+            return any(map(self._denies, children(tree)))  # it may be put together of what is typed
+        return self.known.has(negate(tree))
 
 
-def _is_vector(tree: Expr) -> bool:
-    """Or a matrix, which may be put together of what is typed one by one."""
-    return isinstance(tree, Matrix) or (isinstance(tree, Call) and tree.function == "diag")
+def _is_count(tree: Expr) -> bool:
+    return isinstance(tree, Number) and not tree.decimal and tree.value.denominator == 1
 
 
 def _outside(answer: Derivation) -> Iterator[Any]:

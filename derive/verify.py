@@ -13,7 +13,7 @@ from derive.kinds.measured import InDecimals
 from derive.kinds.problem import Problem, expressions
 from derive.kinds.registry import words_folder
 from derive.named import strangers
-from derive.quoted import unquoted
+from derive.quoted import misquoted
 from derive.sheet.model import Question
 from derive.sheet.source import At
 
@@ -26,8 +26,8 @@ AS_WRITTEN = (
     "the answer failed its own check: a formula of it, read as it is written, is not the value it stands for"
 )
 UNKNOWN = "the answer failed its own check: it does not say what these names stand for: {}"
-UNQUOTED = (
-    "the answer failed its own check: no line, no result and nothing typed says what a sentence does ({})"
+MISQUOTED = (
+    "the answer failed its own check: a sentence says the opposite of a line, a result or what was typed ({})"
 )
 REPORT = "please report this with the sheet"
 PROVE = "its author must claim a law or an independent route: see 'What proves an answer' in CONTRIBUTING.md"
@@ -59,8 +59,8 @@ def answered(question: Question, working: Problem) -> Derivation:
         raise SheetErrors([SheetError(UNPROVED.format(derivation.kind), question.place, PROVE)])
     if unknown := strangers(derivation, question.options, working):
         raise SheetErrors([SheetError(UNKNOWN.format(", ".join(sorted(unknown))), question.place, REPORT)])
-    if alone := [*unquoted(derivation, question.options, working)]:
-        raise SheetErrors([SheetError(UNQUOTED.format(", ".join(alone)), question.place, REPORT)])
+    if alone := [*misquoted(derivation, question.options, working)]:
+        raise SheetErrors([SheetError(MISQUOTED.format(", ".join(alone)), question.place, REPORT)])
     return derivation
 
 

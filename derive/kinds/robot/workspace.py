@@ -136,7 +136,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     reached = Reached(problem, found, point, region, {1: r_max, -1: r_min})
     work = work.claim(*reached.claims(steps, region.smallest[-1] == ZERO, inner))
     called = region_told(region, region.smallest[-1] == ZERO)
-    work = work.claim(reached.is_called(called), *_as_drawn(plots, (r_max, r_min), problem, options))
+    work = work.claim(
+        reached.is_called(called, facts.arm), *_as_drawn(plots, (r_max, r_min), problem, options)
+    )
     if facts.orientations.key == "too-few-joints":
         work = work.claim(orientations_held(problem, found, point, facts.orientations))
     results = {"r_min": r_min, "r_max": r_max, "description": called}

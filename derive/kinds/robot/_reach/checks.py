@@ -73,11 +73,19 @@ class Reached:
         if secondary:
             yield route("secondary", (each for at in points for each in self._secondary(secondary, at)))
 
-    def is_called(self, description: Phrase) -> Claim:
-        """Whether the region is what it is called: by the distances, the axes, and what slides."""
+    def is_called(self, description: Phrase, arm: Phrase | None) -> Claim:
+        """Whether the region is what it is called: by the distances, the axes, and what slides; and whether
+        the joints that swing links in a plane are those that the arm is said to have."""
         ball = description.about.get("ball")
         key = ball.key if isinstance(ball, Phrase) else description.key
-        return route("called", self._is_called(key, isinstance(ball, Phrase)))
+        return route("called", (*self._is_called(key, isinstance(ball, Phrase)), *self._swings(arm)))
+
+    def _swings(self, arm: Phrase | None) -> Iterator[bool]:
+        if arm and "pair" in arm.about:
+            yield arm.about["pair"] == (*self._turning[1:],)
+            for at in self._points:
+                first, *others = [axis_seen(self.problem, self.found, i, at)[0] for i in self._turning[1:]]
+                yield all(apart(first, z) < SMALL for z in others)
 
     def _is_called(self, key: str, bored: bool) -> Iterator[bool]:
         shape, parallel, slides = CALLED[key]
