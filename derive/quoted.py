@@ -50,6 +50,7 @@ NAMES = (Symbol, Indexed)
 Formula = Expr | Relation
 Pair = tuple[Expr, str, Expr]
 SAME = 1e-12
+RANGES = "ranges"  # a field that lists those that were typed
 OPPOSITE = {"=": "!=", "!=": "=", "<=": ">=", ">=": "<="}  # x < 0 and x > 0 are cases
 TURNED = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
@@ -78,7 +79,7 @@ def misgiven(data: Iterable[Datum], options: Any, problem: Problem) -> Iterator[
     taken = gravity_of(subject) if isinstance(subject, Robot) else ()
     typed = Known()
     typed.take((options, problem.where, problem.points, subject, _within(subject), taken))
-    board = Board(typed, Somewhere({}), numbers=True)
+    board = Board(typed, Somewhere({}), typed=True)
     for datum in data:
         yield from board.strange(_phrases(datum))
         rows = datum.table.rows if datum.table else ()
@@ -167,17 +168,19 @@ class Known:
 
 @dataclass(frozen=True, slots=True)
 class Board:
-    """All that is verified elsewhere, and what names mean; numbers are judged where all are typed."""
+    """All that is verified elsewhere, and what names mean. Where all is `typed` numbers are judged too,
+    and names that stand nowhere are not."""
 
     known: Known
     at: Somewhere
-    numbers: bool = False
+    typed: bool = False
 
     def strange(self, phrases: Iterable[Phrase]) -> Iterator[str]:
         """The fields with a formula of which this says the opposite."""
         for phrase in phrases:
             for name, said in phrase.about.items():
-                if OWN.get(phrase.key) != name and any(map(self.denies, _formulas(said))):
+                judge = self._has_no_range if name == RANGES else self.denies
+                if OWN.get(phrase.key) != name and any(map(judge, _formulas(said))):
                     yield f"{phrase.key}.{name}"
 
     def denies(self, formula: Formula) -> bool:
@@ -186,8 +189,14 @@ class Board:
             return self._denies(formula)
         strange, sides = {*_pairs(formula)} - self.known.relations, _sides(formula)
         opposite = ((one, OPPOSITE.get(sign, ""), other) for one, sign, other in strange)
-        otherwise = any(pair in self.known.relations for pair in opposite)
-        return otherwise or (bool(strange) and not self._equal(sides) and any(map(self._denies, sides)))
+        if any(pair in self.known.relations for pair in opposite):
+            return True
+        if any(sign == "!=" for _, sign, _ in strange):
+            return self.typed or self._equal(sides)
+        return bool(strange) and not self._equal(sides) and any(map(self._denies, sides))
+
+    def _has_no_range(self, formula: Formula) -> bool:
+        return not isinstance(formula, Relation) or not self.known.relations.issuperset(_pairs(formula))
 
     def _equal(self, sides: list[Expr]) -> bool:
         """Whether they are, by what names mean."""
@@ -197,7 +206,7 @@ class Board:
     def _denies(self, tree: Expr) -> bool:
         if isinstance(tree, Measured):
             return self._denies(tree.value)
-        if isinstance(tree, NUMBERS) and (not self.numbers or _is_count(tree)):
+        if isinstance(tree, NUMBERS) and (not self.typed or _is_count(tree)):
             return False  # one that was found may be the opposite of another
         if (
             isinstance(tree, NAMES)
@@ -207,11 +216,13 @@ class Board:
             return False
         if isinstance(tree, Matrix) or (isinstance(tree, Call) and tree.function == "diag"):
             return any(map(self._denies, children(tree)))  # it may be put together of what is typed
-        return self.known.has(negate(tree))
+        opposite = negate(tree)
+        opposite = opposite.value if isinstance(opposite, Measured) else opposite
+        return (isinstance(opposite, NAMES) and not self.typed) or self.known.has(opposite)
 
 
 def _is_count(tree: Expr) -> bool:
-    return isinstance(tree, Number) and not tree.decimal and tree.value.denominator == 1
+    return isinstance(tree, Number) and not tree.decimal and tree.value.denominator == 1 and tree.value > 0
 
 
 def _outside(answer: Derivation) -> Iterator[Any]:

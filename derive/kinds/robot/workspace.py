@@ -23,7 +23,15 @@ from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach import drawn, sampled
 from derive.kinds.robot._reach.by_section import by_section, cut
 from derive.kinds.robot._reach.checks import Reached
-from derive.kinds.robot._reach.dexterous import Rings, described, is_said, rings, rings_within, with_unit
+from derive.kinds.robot._reach.dexterous import (
+    Rings,
+    described,
+    is_said,
+    rings,
+    rings_within,
+    starts_as_said,
+    with_unit,
+)
 from derive.kinds.robot._reach.every_way import dexterous
 from derive.kinds.robot._reach.facts import Facts as Facts
 from derive.kinds.robot._reach.facts import Limits
@@ -230,7 +238,8 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
 
 def _as_called(everywhere: Rings, facts: Facts) -> Claim:
     """That the positions with every orientation are called by the ends of their rings."""
-    return route("orientations", facts.secondary is not None and is_said(everywhere, facts.secondary))
+    called = facts.secondary is not None and is_said(everywhere, facts.secondary)
+    return route("orientations", (called, starts_as_said(everywhere, facts.orientations)))
 
 
 def _in_lengths(problem: Problem, told: Phrase) -> Phrase:

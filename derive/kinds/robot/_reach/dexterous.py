@@ -8,18 +8,33 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from math import isclose
 
 from derive.algebra.normal import normal
-from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.numbers.floats import number, scalar_number, somewhere
 from derive.algebra.signs import sign_of
 from derive.derivation import Phrase, Said
 from derive.errors import NotDerivable
-from derive.expression import PI, ZERO, Expr, Measured, Number, Symbol, add, measured, multiply
+from derive.expression import (
+    PI,
+    ZERO,
+    Call,
+    Expr,
+    Measured,
+    Number,
+    Symbol,
+    add,
+    free_symbols,
+    measured,
+    multiply,
+)
+from derive.kinds.fields import TREES
 from derive.kinds.problem import Problem
 from derive.kinds.robot._reach.regions import Region, final_distance, secondary
 from derive.names import free
 
 NOTHING = 1e-12
+SAME = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,6 +161,23 @@ def is_said(found: Rings, told: Phrase) -> bool:
     parts = (told, *(each for each in told.about.values() if isinstance(each, Phrase)))
     said = [[_bare(part.about[name]) for name in names if name in part.about] for part in parts]
     return all(each == wanted[-len(each) :] for each in said if each)
+
+
+def starts_as_said(found: Rings, told: Phrase) -> bool:
+    """Whether it is told of the last link, where it is told of one, by its length and by how far it may start
+    from the first axis, and how near."""
+    values = {"last": found.last, "far": found.r_max, "gap": found.gap}
+    r = told.about.get("r")
+    if isinstance(r, Symbol):
+        values["inside"] = Call("abs", (r - found.last,))
+    pairs = ((_bare(told.about[name]), value) for name, value in values.items() if name in told.about)
+    return all(isinstance(said, TREES) and _alike(said, value) for said, value in pairs)
+
+
+def _alike(one: Expr, other: Expr) -> bool:
+    """The same number of any lengths."""
+    at = {name: somewhere(name) for name in free_symbols(one) | free_symbols(other)}
+    return isclose(number(one, at), number(other, at), rel_tol=SAME, abs_tol=SAME)
 
 
 def _bare(said: Said) -> Said:

@@ -10,7 +10,7 @@ from derive.expression import ZERO, Expr, Matrix, Symbol, factors_of
 from derive.kinds.checks import route
 from derive.kinds.fields import Place
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._reach.dexterous import described, is_said, rings
+from derive.kinds.robot._reach.dexterous import described, is_said, rings, starts_as_said
 from derive.kinds.robot._reach.facts import Dexterous, Facts
 from derive.kinds.robot._reach.regions import region_of
 from derive.kinds.robot._reach.told import LAST_LINK
@@ -79,7 +79,8 @@ def _by_last_link(work: Work, arm: TurningAbout, told: Facts) -> Derivation:
     where = Dexterous(
         borders=("rho_1", "rho_2") if borders else (), measure="area" in results, where=described(found)
     )
-    work = work.claim(route("orientations", is_said(found, where.where)))
+    said = (is_said(found, where.where), starts_as_said(found, told.orientations))
+    work = work.claim(route("orientations", said))
     names: dict[str, Expr] = {"r_max": far}
     match found.pieces:
         case ((low, high),) if ZERO != low != high:
