@@ -14,6 +14,7 @@ from derive.algebra.numbers.floats import number
 from derive.algebra.rationals import significant_digits
 from derive.algebra.readable.terms import Style
 from derive.derivation import Branch, Derivation, PageFacts
+from derive.errors import NotAsWritten
 from derive.expression import (
     PI,
     ZERO,
@@ -157,10 +158,14 @@ def _called(name: str | Expr) -> Expr:
 
 
 def _working(derivation: Derivation) -> set[str]:
-    """The names of the working in solutions, which the page has above."""
+    """The names of the working in solutions, which the page has above. Raises NotAsWritten where an unknown
+    is among them."""
     found = derivation.results.get("solutions")
     solutions = [part for part in found if isinstance(part, Branch)] if isinstance(found, tuple) else []
-    return {name for each in solutions for name in each.short.keys() - each.values.keys()}
+    working = {name for each in solutions for name in each.short.keys() - each.values.keys()}
+    if any(not working.isdisjoint(each.values) for each in solutions):
+        raise NotAsWritten("a value of a solution is left out")
+    return working
 
 
 def _style(facts: PageFacts, at: Mapping[str, Expr], notation: Notation) -> Style:

@@ -35,10 +35,15 @@ class Facts(PageFacts):
 
 
 def composed(
-    kind: str, moves: Sequence[Move], problem: Problem, size: Literal[3, 4], evaluate: bool
+    kind: str,
+    moves: Sequence[Move],
+    problem: Problem,
+    size: Literal[3, 4],
+    evaluate: bool,
+    whole: Sequence[Move],
 ) -> Derivation:
-    """R (3 by 3) or T (4 by 4) of moves, as a derivation. `evaluate` writes it in decimals where nothing
-    is left to give; the results stay exact."""
+    """R (3 by 3) or T (4 by 4) of moves, as a derivation; the `whole` has other moves too. `evaluate` writes
+    it in decimals where nothing is left to give; the results stay exact."""
     name = Symbol("R" if size == 3 else "T")
     numeric = evaluate and all(value_of(move.by, problem) is not None for move in moves)
     factors = factors_of(moves, problem, size, numeric)
@@ -56,6 +61,8 @@ def composed(
     work = work.linked(but=("turned",)).claim(*_laws(problem.exact(value), name.name))
     told = [parts[f"{name.name.replace('T', 'A')}_{k}"] for k in range(1, len(moves) + 1)]
     work = motion_made(work, name.name, moves, exact, *told)
+    if [*whole] != [*moves]:
+        work = motion_made(work, name.name, whole, exact)
     facts, point = _facts(factors, numeric, name), completed({}, problem.where)
     orders = (*placed_chains(factors, facts.placed), *order_chains(factors, facts.reason, name))
     chains = (*orders, *_single(factors, facts))

@@ -53,6 +53,8 @@ def _places(
 def _path(work: Work, found: Bent) -> Plot:
     along = found.along
     low, high = (scalar_number(work.scalar(each), {}) for each in along.between or ())
+    if not close([low, high], [number(work.problem.final(each), {}) for each in along.between or ()]):
+        raise NotAsWritten("a path is not drawn between its ends")
     return curve_in_the_plane(work.final(along.p), along.s.name, low, high, unit_of_places(work.problem))
 
 

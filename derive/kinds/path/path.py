@@ -120,6 +120,7 @@ def derive(path: Path, options: Options, problem: Problem) -> Derivation:
     if path.turned is not None:
         body = turning(work, path.turned, named, None if path.timing is None else moved.time)
         work, results = body.work, {**results, **body.results}
+        work = work.law("said", ("omega" in results) == (path.timing is not None))
         on_page = {**facts.page_names, **body.way.page_names}
         facts = replace(facts, turning=body.way.parts, page_names=on_page)
         facts = replace(facts, angle_results=("angle", "angles"), style=problem.style)

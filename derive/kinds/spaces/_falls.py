@@ -27,11 +27,11 @@ Vector = Any
 @dataclass(frozen=True, slots=True)
 class Falls:
     """The rank of J is lower than in general just where one of `alone` vanishes, or all of `together` do;
-    whether it is known to be lower by just one there."""
+    what it is `there`, None where that is not known."""
 
     alone: tuple[Expr, ...]
     together: tuple[Expr, ...]
-    just: bool
+    there: int | None
 
 
 def falls(found: LinearMap, rank: int, nonzero: Collection[str]) -> Falls | None:
@@ -49,7 +49,8 @@ def falls(found: LinearMap, rank: int, nonzero: Collection[str]) -> Falls | None
     rest = [[one for one in each if one not in shared] for each in sets]
     said = found.problem.readable
     together = () if len(sets) == 1 or not all(rest) else tuple(_product(each, said) for each in rest)
-    return Falls(tuple(_unsigned(said(one)) for one in shared), together, _by_one(found, rank, known))
+    there = rank - 1 if _by_one(found, rank, known) else None
+    return Falls(tuple(_unsigned(said(one)) for one in shared), together, there)
 
 
 def independent(values: Sequence[Scalar]) -> list[Scalar]:
@@ -114,7 +115,7 @@ def seen(found: LinearMap, told: Falls, rank: int, starts: Iterator[Point]) -> I
             at = _zero(partial(_values, case), start, free, found)
             if at is not None:
                 there = _rank(found.numbers(at))
-                yield there == rank - 1 if told.just else there < rank
+                yield there < rank if told.there is None else there == told.there < rank
         at = _zero(lambda here: _minors(found.numbers(here)), start, free, found)
         if at is not None:
             yield any(_size(_values(case, at)) < NEAR for case in cases)

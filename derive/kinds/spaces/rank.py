@@ -82,7 +82,7 @@ class Facts(PageFacts):
     leads: tuple[Expr, ...]  # where one of them vanishes the rank may be lower
     alone: tuple[Expr, ...] = ()  # it is where one of these does
     together: tuple[Expr, ...] = ()  # or all of these do
-    just: bool = False  # there it is lower by one
+    there: int | None = None  # what it is there
     J: Symbol
     empty: tuple[bool, bool, bool]  # null space, range, left null space
     judged: str = ""  # "feasible", "feasible-where", "infeasible"
@@ -110,7 +110,7 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
     lower = falls(found, spaces.rank, _nonzero(found)) if leads else None
     everywhere = not leads and spaces.rank == min(found.J.shape)
     if lower or everywhere:
-        fallen = lower or Falls((), (), just=False)
+        fallen = lower or Falls((), (), None)
         work = work.claim(route("rank-falls", seen(found, fallen, spaces.rank, _places(found))))
     velocities, wrenches, acting = nouns(found)
     work = work.claim(route("nouns", nouns_hold(found, velocities, wrenches, acting)))
@@ -127,7 +127,7 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
         leads=leads,
         alone=lower.alone if lower else (),
         together=lower.together if lower else (),
-        just=bool(lower and lower.just),
+        there=lower.there if lower else None,
         J=found.name,
         empty=(not spaces.null, not spaces.range, not spaces.left),
     )

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from derive.algebra.infix import text
 from derive.algebra.numbers.floats import Point, completed, number, numbers
 from derive.derivation import Result
-from derive.expression import Expr, Matrix, Symbol, multiply
+from derive.expression import Expr, Indexed, Matrix, Symbol, multiply
 from derive.expression import number as exact
 from derive.kinds.checks import close, random_points
 from derive.kinds.fields import TREES
@@ -196,9 +196,15 @@ class Body:
         ends = {"a_s": column_of(self.angles(0.0)), "a_f": column_of(self.angles(1.0))}
         letters, angles = self.course.turned.convention, self.angles(u)
         ends |= {f"angle_{k}": float(value) for k, value in enumerate(angles)}
-        turned = [in_sequence(letter, [angle]) for letter, angle in zip(letters, angles, strict=True)]
-        factors = turned if letters.isupper() else turned[::-1]
-        return ends | {f"factor_{k}": R for k, R in enumerate(factors)}
+        return ends | {f"factor_{k}": self._by_name(f"factor_{k}", ends) for k in range(len(letters))}
+
+    def _by_name(self, factor: str, angles: Mapping[str, Any]) -> Any:
+        """The rotation that R_{z,phi} is called."""
+        called, name = self.way.called, self.way.called[factor]
+        assert isinstance(name, Indexed)
+        axis, angle = name.lower
+        value = next(each for key, each in angles.items() if called[key] == angle)
+        return in_sequence(str(text(axis)), [value])
 
     def _quaternions(self, u: float) -> dict[str, Any]:
         """That of the start with a scalar part that is not negative, and those turned on from it."""
