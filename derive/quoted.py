@@ -1,8 +1,8 @@
 """What a sentence says in mathematics is not the opposite of what is said elsewhere.
 
 A formula within a sentence is part of no chain, so no link between lines holds it. It is looked for in what
-is verified elsewhere, and typed: where only its negative is found, or a relation between the same sides with
-another sign, the sentence is wrong.
+is verified elsewhere, and typed: where only its negative is found the sentence is wrong. What a page gives is
+wrong too where a relation between the same sides was typed with another sign.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ Formula = Expr | Relation
 Pair = tuple[Expr, str, Expr]
 SAME = 1e-12
 RANGES = "ranges"  # a field that lists those that were typed
-OPPOSITE = {"=": "!=", "!=": "=", "<=": ">=", ">=": "<="}  # x < 0 and x > 0 are cases
+OPPOSITE = {"=": "!=", "!=": "=", "<=": ">=", ">=": "<="}
 TURNED = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 
@@ -188,9 +188,8 @@ class Board:
         if not isinstance(formula, Relation):
             return self._denies(formula)
         strange, sides = {*_pairs(formula)} - self.known.relations, _sides(formula)
-        opposite = ((one, OPPOSITE.get(sign, ""), other) for one, sign, other in strange)
-        if any(pair in self.known.relations for pair in opposite):
-            return True
+        if self.typed and any((a, OPPOSITE.get(sign), b) in self.known.relations for a, sign, b in strange):
+            return True  # answers have cases: x = 0, and x != 0
         if any(sign == "!=" for _, sign, _ in strange):
             return self.typed or self._equal(sides)
         return bool(strange) and not self._equal(sides) and any(map(self._denies, sides))
