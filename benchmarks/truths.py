@@ -21,6 +21,7 @@ TRUTHS = {  # by file and function, from the outermost frame inwards
     "as written": r"/readable/form\.py:as_written",
     "results are lines": r"/kinds/(told|declared)\.py:",
     "certain digits": r"/(evaluated_again|sure)\.py:",
+    "sentences": r"/quoted\.py:",
     "the page read back": r"/read_back\.py:",
     "laws and second routes": r"/(\w*checks|\w*oracle|\w*meanings|repeated)\.py:|/oracle/|"
     r":(agrees|agreement|law|route|\w*claims)$",
