@@ -40,10 +40,7 @@ from derive.kinds.somewhere import Somewhere, contradicted, values_of
 from derive.mechanics.dynamics import gravity_of
 from derive.mechanics.robot import Robot
 
-OWN: Mapping[str, str] = {  # fields of phrases with a sign of their own, which claims hold
-    "axis": "letter", "follows": "equation", "limit-alone": "equation", "limit-while": "equation",
-    "screws": "table",
-}  # fmt: skip
+OWN: Mapping[str, str] = {"axis": "letter", "screws": "table"}  # with signs of their own, held elsewhere
 TREES = get_args(Expr)
 NUMBERS = (Number, Approximate, Degrees)
 NAMES = (Symbol, Indexed)
@@ -122,7 +119,7 @@ def _formulas(said: Any) -> Iterator[Formula]:
                 yield from _formulas(each)
         case Relation():
             yield said
-        case _ if isinstance(said, TREES) and not isinstance(said, NAMES):
+        case _ if isinstance(said, TREES):
             stars: dict[Expr, Expr] = {
                 Symbol(name): Symbol(name[:-1]) for name in free_symbols(said) if name.endswith("*")
             }
@@ -180,7 +177,10 @@ class Board:
         for phrase in phrases:
             for name, said in phrase.about.items():
                 judge = self._has_no_range if name == RANGES else self.denies
-                if OWN.get(phrase.key) != name and any(map(judge, _formulas(said))):
+                formulas = [*_formulas(said)]
+                signed = [-each for each in formulas if not isinstance(each, Relation)]  # j and -j, both
+                wrong = (judge(each) for each in formulas if each not in signed)
+                if OWN.get(phrase.key) != name and any(wrong):
                     yield f"{phrase.key}.{name}"
 
     def denies(self, formula: Formula) -> bool:
@@ -188,11 +188,13 @@ class Board:
         if not isinstance(formula, Relation):
             return self._denies(formula)
         strange, sides = {*_pairs(formula)} - self.known.relations, _sides(formula)
-        if self.typed and any((a, OPPOSITE.get(sign), b) in self.known.relations for a, sign, b in strange):
-            return True  # answers have cases: x = 0, and x != 0
         if any(sign == "!=" for _, sign, _ in strange):
             return self.typed or self._equal(sides)
-        return bool(strange) and not self._equal(sides) and any(map(self._denies, sides))
+        if not self.typed or not strange:
+            return False  # an answer has cases and equations of its own: x = 0 and x != 0, y = -x
+        if any((a, OPPOSITE.get(sign), b) in self.known.relations for a, sign, b in strange):
+            return True
+        return not self._equal(sides) and any(map(self._denies, sides))
 
     def _has_no_range(self, formula: Formula) -> bool:
         return not isinstance(formula, Relation) or not self.known.relations.issuperset(_pairs(formula))

@@ -9,6 +9,7 @@ from derive.algebra.numbers.floats import number, scalar_number
 from derive.derivation import Figure, Label, Panels, Phrase, Plot, Result
 from derive.errors import NotAsWritten
 from derive.expression import Call, Expr, Matrix, Symbol, symbols
+from derive.expression import replace as put_in
 from derive.figures.axes import IN_TIME, axis, short
 from derive.kinds.bare_units import bare_units
 from derive.kinds.checks import close
@@ -53,7 +54,8 @@ def _places(
 def _path(work: Work, found: Bent) -> Plot:
     along = found.along
     low, high = (scalar_number(work.scalar(each), {}) for each in along.between or ())
-    if not close([low, high], [number(work.problem.final(each), {}) for each in along.between or ()]):
+    ends = (work.problem.final(put_in(each, work.definitions)) for each in along.between or ())
+    if not close([low, high], [number(end, {}) for end in ends]):
         raise NotAsWritten("a path is not drawn between its ends")
     return curve_in_the_plane(work.final(along.p), along.s.name, low, high, unit_of_places(work.problem))
 
