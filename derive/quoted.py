@@ -30,9 +30,11 @@ from derive.expression import (
     between,
     children,
     free_symbols,
+    is_negative,
     negate,
     number,
     replace,
+    terms_of,
 )
 from derive.given.datum import Datum
 from derive.kinds.problem import Problem
@@ -131,33 +133,45 @@ class Known:
     """Mathematics outside of sentences, each part of a formula by itself, by what it is and of how many
     parts. Formulas that were taken in are not again."""
 
-    nodes: dict[tuple[type, int], list[Expr]] = field(default_factory=lambda: defaultdict(list))
-    relations: set[Pair] = field(default_factory=set)
+    waiting: list[Any] = field(default_factory=list)  # values that are taken in once they are needed
+    parts: dict[tuple[type, int], list[Expr]] = field(default_factory=lambda: defaultdict(list))
+    pairs: set[Pair] = field(default_factory=set)
     taken: dict[int, Expr] = field(default_factory=dict)
 
     def take(self, value: Any) -> None:
         """All in a value."""
-        for found in _mathematics(value):
-            if isinstance(found, Relation):
-                self.relations.update(_pairs(found))
-            for tree in _sides(found) if isinstance(found, Relation) else (found,):
-                if id(tree) not in self.taken:
-                    self.taken[id(tree)] = tree
-                    self._gather(tree)
+        self.waiting.append(value)
+
+    def _settle(self) -> None:
+        while self.waiting:
+            for found in _mathematics(self.waiting.pop()):
+                if isinstance(found, Relation):
+                    self.pairs.update(_pairs(found))
+                for tree in _sides(found) if isinstance(found, Relation) else (found,):
+                    if id(tree) not in self.taken:
+                        self.taken[id(tree)] = tree
+                        self._gather(tree)
+
+    @property
+    def relations(self) -> set[Pair]:
+        """Pairs of sides with the sign between them."""
+        self._settle()
+        return self.pairs
 
     def _gather(self, tree: Expr) -> None:
         pending = [tree]
         while pending:
             node = pending.pop()
             parts = children(node)
-            self.nodes[type(node), len(parts)].append(node)
+            self.parts[type(node), len(parts)].append(node)
             pending.extend(parts)
 
     def has(self, tree: Expr) -> bool:
         """Whether it stands here, as a whole or as a part; a number by its size."""
+        self._settle()
         if not isinstance(tree, NUMBERS):
-            return tree in self.nodes.get((type(tree), len(children(tree))), ())
-        found = (node for kind in NUMBERS for node in self.nodes.get((kind, 0), ()))
+            return tree in self.parts.get((type(tree), len(children(tree))), ())
+        found = (node for kind in NUMBERS for node in self.parts.get((kind, 0), ()))
         return any(
             isclose(a, b, rel_tol=SAME) for node in found for a in _values(node) for b in _values(tree)
         )
@@ -186,12 +200,14 @@ class Board:
     def denies(self, formula: Formula) -> bool:
         """Whether the opposite stands here, and it does not."""
         if not isinstance(formula, Relation):
-            return self._denies(formula)
+            return (self.typed or _has_minus(formula)) and self._denies(formula)
+        if not self.typed and "!=" not in _signs(formula):
+            return False  # an answer has cases and equations of its own: x = 0 and x != 0, y = -x
         strange, sides = {*_pairs(formula)} - self.known.relations, _sides(formula)
         if any(sign == "!=" for _, sign, _ in strange):
             return self.typed or self._equal(sides)
-        if not self.typed or not strange:
-            return False  # an answer has cases and equations of its own: x = 0 and x != 0, y = -x
+        if not strange:
+            return False
         if any((a, OPPOSITE.get(sign), b) in self.known.relations for a, sign, b in strange):
             return True
         return not self._equal(sides) and any(map(self._denies, sides))
@@ -220,6 +236,17 @@ class Board:
         opposite = negate(tree)
         opposite = opposite.value if isinstance(opposite, Measured) else opposite
         return (isinstance(opposite, NAMES) and not self.typed) or self.known.has(opposite)
+
+
+def _has_minus(tree: Expr) -> bool:
+    """Whether a minus stands in front of it, or of an entry."""
+    if isinstance(tree, Matrix):
+        return any(map(_has_minus, children(tree)))
+    return is_negative(terms_of(tree)[0])
+
+
+def _signs(said: Relation) -> set[str]:
+    return {said.sign} | (_signs(said.left) if isinstance(said.left, Relation) else set())
 
 
 def _is_count(tree: Expr) -> bool:
