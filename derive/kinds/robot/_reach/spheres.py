@@ -8,11 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from math import cos
 
 import derive.algebra.numbers.floats as numeric
 from derive.derivation import Derivation, Phrase, Result, Said, Step
 from derive.errors import NotDerivable
-from derive.expression import Call, Expr, Symbol, between
+from derive.expression import Call, Expr, Relation, Symbol, between
 from derive.kinds.chains import closing
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.problem import Problem
@@ -81,6 +82,8 @@ class OnTwoAxes:
             ),
             orientations_held(self.problem, self.chain, self.point, facts.orientations),
         )
+        if facts.sphere and self.part:
+            work = work.claim(route("section-joints", _is_cosine(facts.sphere.directions)))
         return work.answer("workspace", results, facts)
 
     @property
@@ -138,3 +141,11 @@ class OnTwoAxes:
             yield self.part == (low > -radius * (1 - NEAR) or high < radius * (1 - NEAR))
             cosines = [numeric.number(each, at) * radius for each in self.cosines]
             yield close(cosines, [low, high], NEAR)
+
+
+def _is_cosine(said: Phrase) -> Iterator[bool]:
+    """Whether it is the cosine of the angle that is said to be between two values."""
+    bounds, beta = said.about["cosines"], said.about["beta"]
+    assert isinstance(bounds, Relation) and isinstance(bounds.left, Relation) and isinstance(beta, Symbol)
+    for k in range(7):
+        yield close(numeric.number(bounds.left.right, {beta.name: k / 2}), cos(k / 2))
