@@ -27,7 +27,6 @@ from derive.expression import (
     Number,
     Relation,
     Symbol,
-    between,
     children,
     free_symbols,
     is_negative,
@@ -38,6 +37,7 @@ from derive.expression import (
 )
 from derive.given.datum import Datum
 from derive.kinds.problem import Problem
+from derive.kinds.robot._ranges import ranges_told
 from derive.kinds.somewhere import Somewhere, contradicted, values_of
 from derive.mechanics.dynamics import gravity_of
 from derive.mechanics.robot import Robot
@@ -63,7 +63,7 @@ def misquoted(answer: Derivation, options: Any, problem: Problem) -> Iterator[st
     checked |= {id(each): each for each in new}
     for each in new:
         known.take(_outside(each))
-    known.take((options, problem.where, problem.points, problem.subject, _within(problem.subject)))
+    known.take((options, problem.where, problem.points, *_typed(problem.subject)))
     names = {name: value for each in told for name, value in each.definitions.items()}
     said = [
         (each.facts, each.plots, each.results, *(step.facts for step in each.all_steps())) for each in new
@@ -74,10 +74,8 @@ def misquoted(answer: Derivation, options: Any, problem: Problem) -> Iterator[st
 def misgiven(data: Iterable[Datum], options: Any, problem: Problem) -> Iterator[str]:
     """The same of what the page says that a problem gives, or a question: by its table and equations too, and
     of its numbers."""
-    subject = problem.subject
-    taken = gravity_of(subject) if isinstance(subject, Robot) else ()
     typed = Known()
-    typed.take((options, problem.where, problem.points, subject, _within(subject), taken))
+    typed.take((options, problem.where, problem.points, *_typed(problem.subject)))
     board = Board(typed, Somewhere({}), typed=True)
     for datum in data:
         yield from board.strange(_phrases(datum))
@@ -87,9 +85,9 @@ def misgiven(data: Iterable[Datum], options: Any, problem: Problem) -> Iterator[
             yield datum.said.key
 
 
-def _within(subject: Any) -> list[Relation]:
-    ranges: Mapping[str, tuple[Expr, Expr]] = getattr(subject, "ranges", {})
-    return [between(low, Symbol(name), high) for name, (low, high) in ranges.items()]
+def _typed(subject: Any) -> tuple[Any, ...]:
+    """A subject, and what an arm has of ranges and of gravity, which may be left out."""
+    return (subject, ranges_told(subject), gravity_of(subject)) if isinstance(subject, Robot) else (subject,)
 
 
 def _rested_on(answer: Derivation) -> Iterator[Derivation]:
