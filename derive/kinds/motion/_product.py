@@ -18,7 +18,7 @@ from derive.kinds.motion._meanings import meant, order_chains, order_told, place
 from derive.kinds.pose._numbers import along
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
-from derive.mechanics.motion import Move
+from derive.mechanics.motion import Motion, Move
 from derive.mechanics.oracle import made
 from derive.mechanics.poses import inverse_pose, rotation_part
 from derive.mechanics.sequences import mode, order
@@ -34,16 +34,10 @@ class Facts(PageFacts):
     along: Matrix | None  # and a vector along the axis
 
 
-def composed(
-    kind: str,
-    moves: Sequence[Move],
-    problem: Problem,
-    size: Literal[3, 4],
-    evaluate: bool,
-    whole: Sequence[Move],
-) -> Derivation:
-    """R (3 by 3) or T (4 by 4) of moves, as a derivation; the `whole` has other moves too. `evaluate` writes
-    it in decimals where nothing is left to give; the results stay exact."""
+def composed(kind: str, motion: Motion, problem: Problem, size: Literal[3, 4], evaluate: bool) -> Derivation:
+    """R (3 by 3), for which only rotations count, or T (4 by 4), as a derivation. `evaluate` writes it in
+    decimals where nothing is left to give; the results stay exact."""
+    moves = tuple(move for move in motion.moves if size == 4 or move.kind == "rotate")
     name = Symbol("R" if size == 3 else "T")
     numeric = evaluate and all(value_of(move.by, problem) is not None for move in moves)
     factors = factors_of(moves, problem, size, numeric)
@@ -61,8 +55,8 @@ def composed(
     work = work.linked(but=("turned",)).claim(*_laws(problem.exact(value), name.name))
     told = [parts[f"{name.name.replace('T', 'A')}_{k}"] for k in range(1, len(moves) + 1)]
     work = motion_made(work, name.name, moves, exact, *told)
-    if [*whole] != [*moves]:
-        work = motion_made(work, name.name, whole, exact)
+    if moves != motion.moves:
+        work = motion_made(work, name.name, motion.moves, exact)
     facts, point = _facts(factors, numeric, name), completed({}, problem.where)
     orders = (*placed_chains(factors, facts.placed), *order_chains(factors, facts.reason, name))
     chains = (*orders, *_single(factors, facts))

@@ -20,5 +20,4 @@ class Options(OptionsModel):
 
 def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     """R (3 by 3); translations do not turn anything and are left out (Spong et al., section 2.4)."""
-    rotations = tuple(move for move in motion.moves if move.kind == "rotate")
-    return composed("rotation-matrix", rotations, problem, 3, options.evaluate == (), motion.moves)
+    return composed("rotation-matrix", motion, problem, 3, options.evaluate == ())

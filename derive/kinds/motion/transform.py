@@ -20,4 +20,4 @@ class Options(OptionsModel):
 
 def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     """T (4 by 4) (Spong et al., section 2.6)."""
-    return composed("transform", motion.moves, problem, 4, options.evaluate == (), motion.moves)
+    return composed("transform", motion, problem, 4, options.evaluate == ())
