@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 import sympy
@@ -24,7 +24,7 @@ class Arm:
         self.asked, self.point, self.order = asked, point, order
         self.robot: Robot = asked.subject
         self.n = len(self.robot.variables)
-        self.q = [sympy.Symbol(name) for name in self.robot.variables]
+        self.q = tuple(sympy.Symbol(name) for name in self.robot.variables)
 
     # -- formulas as series ------------------------------------------------------------------------
 
@@ -51,14 +51,7 @@ class Arm:
 
     def _changes(self, expr: sympy.Expr) -> Series:
         """The series without its constant."""
-        terms: dict[Monomial, Number] = {}
-        moving = [i for i, q in enumerate(self.q) if expr.has(q)]
-        for i in moving:
-            slope = expr.diff(self.q[i])
-            terms[(i,)] = self.point.at(slope)
-            for j in moving:
-                if i <= j:
-                    terms[(i, j)] = self.point.at(slope.diff(self.q[j])) / (2 if i == j else 1)
+        terms = {powers: self.point.at(term) for powers, term in _changes(expr, self.q)}
         return Series(terms, self.order)
 
     # -- poses -------------------------------------------------------------------------------------
@@ -66,12 +59,21 @@ class Arm:
     @cached_property
     def local(self) -> list[Array]:
         """Frame i-1 to frame i, for each row; of screws e^{[S] q}."""
-        return [row_matrix(link.row, self.robot.convention, self) for link in self.robot.links]
+        return [self.row(i) for i in range(len(self.robot.links))]
+
+    def row(self, i: int) -> Array:
+        """The same for row i, counted from 0, alone."""
+        return row_matrix(self.robot.links[i].row, self.robot.convention, self)
+
+    @cached_property
+    def base(self) -> Array:
+        """Frame 0 in the base frame."""
+        return moved(self.robot.base, self)
 
     @cached_property
     def poses(self) -> list[Array]:
         """Frame 0, 1, ..., n in the base frame."""
-        found = [moved(self.robot.base, self)]
+        found = [self.base]
         for T in self.local:
             found.append(found[-1] @ T)
         return found
@@ -87,6 +89,14 @@ class Arm:
         """The end-effector in the base frame."""
         found: Array = self.poses[-1] @ self.tool
         return found
+
+    def carried(self, p: Array, frame: int | None = None) -> Array:
+        """A point of a frame, of the end-effector where none is given, in the base frame (3 series); from
+        row to row, as no pose is needed for it."""
+        ends = [self.tool] if frame is None else []
+        for T in reversed([self.base, *self.local[:frame], *ends]):
+            p = T[:3, :3] @ p + T[:3, 3]
+        return p
 
     # -- velocities --------------------------------------------------------------------------------
 
@@ -105,6 +115,20 @@ class Arm:
     def jacobian(self, T: Array, p: Array | None = None) -> Array:
         """J (6 by n) of a body with pose T, and of a point p (base frame) of it, its origin if left out."""
         return np.vstack([self.linear(T[:3, 3] if p is None else p), self.angular(T[:3, :3])])
+
+
+@cache
+def _changes(expr: sympy.Expr, q: tuple[sympy.Symbol, ...]) -> tuple[tuple[Monomial, sympy.Expr], ...]:
+    """The coefficients of its Taylor series in the joint variables, without the constant one."""
+    found: list[tuple[Monomial, sympy.Expr]] = []
+    moving = [i for i, each in enumerate(q) if expr.has(each)]
+    for i in moving:
+        slope = expr.diff(q[i])
+        found.append(((i,), slope))
+        for j in moving:
+            if i <= j:
+                found.append(((i, j), slope.diff(q[j]) / (2 if i == j else 1)))
+    return tuple(found)
 
 
 def numbers(matrix: Array) -> list[list[Number]]:

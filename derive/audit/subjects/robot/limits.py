@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from derive.audit.asked import Asked, Beyond, Holds, Test
 from derive.audit.points import Number, Point, floating
 from derive.audit.subjects.robot.arm import Arm
-from derive.audit.subjects.robot.series import values
+from derive.audit.subjects.robot.series import Array, values
 from derive.audit.subjects.robot.task import Task
 
 Grid = NDArray[np.float64]
@@ -84,8 +84,16 @@ def _limits(asked: Asked, here: Point, name: str, ends: object) -> tuple[float, 
 
 def _poses(asked: Asked, here: Point, at: dict[str, float]) -> list[Grid]:
     """Base, rows and tool, each by itself (4 by 4)."""
-    arm = Arm(asked, here.where(**{name: mpmath.mpf(value) for name, value in at.items()}), 0)
-    return [np.array(values(each), dtype=float) for each in (arm.poses[0], *arm.local, arm.tool)]
+    arm = _arm(asked, here, at)
+    return [_floats(each) for each in (arm.base, *arm.local, arm.tool)]
+
+
+def _arm(asked: Asked, here: Point, at: dict[str, float]) -> Arm:
+    return Arm(asked, here.where(**{name: mpmath.mpf(value) for name, value in at.items()}), 0)
+
+
+def _floats(T: Array) -> Grid:
+    return np.array(values(T), dtype=float)
 
 
 def _places(
@@ -99,7 +107,7 @@ def _places(
         own = T[None]
         if name in moving:
             grid = np.linspace(*limits[name], COUNT[len(moving)])
-            own = np.array([_poses(asked, here, {**middle, name: value})[i] for value in grid])
+            own = np.array([_floats(_arm(asked, here, {**middle, name: x}).row(i - 1)) for x in grid])
         found = (found[:, None] @ own[None]).reshape(-1, 4, 4)
     return np.array(found[:, :3, 3])
 

@@ -22,21 +22,24 @@ class Task:
     arm: Arm
 
     @cached_property
-    def pose(self) -> Array:
-        """Of the body that carries the point."""
+    def frame(self) -> int | None:
+        """The one that carries the point; none for the end-effector."""
         point = getattr(self.arm.asked.options, "point", None)
         if point is None:
-            return self.arm.end
-        frame = next((n for n in (point.link, point.frame) if n is not None), len(self.arm.local))
-        return self.arm.poses[frame]
+            return None
+        return next((n for n in (point.link, point.frame) if n is not None), len(self.arm.robot.links))
+
+    @cached_property
+    def pose(self) -> Array:
+        """Of the body that carries the point."""
+        return self.arm.end if self.frame is None else self.arm.poses[self.frame]
 
     @cached_property
     def place(self) -> Array:
         """The point in the base frame (3 series)."""
         point = getattr(self.arm.asked.options, "point", None)
         at = [0, 0, 0] if point is None else [self.arm.series(part) for part in point.at]
-        place: Array = self.pose[:3, :3] @ np.array(at, dtype=object) + self.pose[:3, 3]
-        return place
+        return self.arm.carried(np.array(at, dtype=object), self.frame)
 
     @cached_property
     def whole(self) -> Array:

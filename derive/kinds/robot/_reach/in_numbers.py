@@ -88,13 +88,20 @@ class InNumbers:
 
     @cached_property
     def places(self) -> Array:
-        """Where the point is (N by 3) on a grid of the joint variables."""
+        """Where the point is (N by 3) on a grid of the joint variables: from the last joint to the first,
+        each moves all places so far as a whole."""
         import numpy as np
 
-        count = EACH[len(self.shape.rows)]
-        axes = [np.linspace(*self.limits[row], count) for row in self.shape.rows]
-        values = [each.ravel() for each in np.meshgrid(*axes, indexing="ij")]
-        return self.moved(dict(zip(self.shape.rows, values, strict=True)))
+        count, places = EACH[len(self.shape.rows)], self.start[None]
+        for row in reversed(self.shape.rows):
+            direction, through = self.lines[row]
+            moved = np.linspace(*self.limits[row], count) - self.here[self.variable(row)]
+            if through is None:
+                spread = moved[:, None, None] * direction + places
+            else:
+                spread = through + (places - through) @ _rotations(direction, moved).transpose(0, 2, 1)
+            places = spread.reshape(-1, 3)
+        return places
 
     def moved(self, values: Mapping[int, Array]) -> Array:
         """Where the point is (N by 3) with the joints of these rows at N values each, the others as they
@@ -123,6 +130,14 @@ class InNumbers:
 
         along = np.cross(self.lines[row][0], self.lines[self.first][0])
         return self.lines[row][1] is None and float(np.linalg.norm(along)) < SMALL
+
+
+def _rotations(z: Array, by: Array) -> Array:
+    """About z (k by 3 by 3, Rodrigues)."""
+    import numpy as np
+
+    S = np.cross(np.eye(3), z)  # S p = z x p
+    return np.array(np.eye(3) + np.sin(by)[:, None, None] * S + (1 - np.cos(by))[:, None, None] * (S @ S))
 
 
 def _turned(away: Array, z: Array, by: Array) -> Array:

@@ -154,10 +154,10 @@ class _Again:
         import numpy as np
 
         columns, held, _ = (each[k] for each in self.all(seen))
-        limits = np_column(self.limits)
+        limits, inverse = np_column(self.limits), pinv(columns)
 
         def fits(s: float) -> bool:
-            rates = held + pinv(columns) @ (s * seen[V] - seen[self.J] @ held)
+            rates = held + inverse @ (s * seen[V] - seen[self.J] @ held)
             return bool((np.abs(rates) <= limits * (1 + 1e-9)).all())
 
         ends = [s for s in np.linspace(0, 1, 2001)[::-1] if fits(float(s))][:1]
