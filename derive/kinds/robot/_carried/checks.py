@@ -7,6 +7,8 @@ from itertools import pairwise
 from typing import Any
 
 from derive.algebra.numbers.floats import Point
+from derive.derivation import Table
+from derive.expression import Approximate
 from derive.kinds.checks import close
 from derive.kinds.path._moving import Driven
 from derive.kinds.robot._carried.coordinates import Coordinates
@@ -64,6 +66,13 @@ def rows_follow(where: Coordinates, driven: Driven, found: Sampled, point: Point
             if where.rows[-1][0] == "w":
                 ours[-1] = np.remainder(ours[-1] + np.pi, 2 * np.pi) - np.pi
             yield close(ours / (2 * h), theirs / (2 * h), 100 * NEAR)
+
+
+def goes_through(table: Table, found: Sampled) -> bool:
+    """Whether a table has one time after the other, from the first of the motion to the last."""
+    times = [float(row[0].value) for row in table.rows if isinstance(row[0], Approximate)]
+    ends = [times[0], times[-1]] == [found.times[0], found.times[-1]]
+    return len(times) == len(table.rows) and ends and all(one < next_ for one, next_ in pairwise(times))
 
 
 def _seen(where: Coordinates, robot: Robot, q: Any, point: Point) -> Any:

@@ -15,7 +15,7 @@ from derive.errors import NotDerivable, NotReal
 from derive.expression import Expr, Matrix, Symbol, column, walk
 from derive.kinds.checks import random_points, route
 from derive.kinds.path._timing import T
-from derive.kinds.robot._carried.checks import carries, rows_follow
+from derive.kinds.robot._carried.checks import carries, goes_through, rows_follow
 from derive.kinds.robot._carried.facts import Facts
 from derive.kinds.robot._carried.followed import MANY, Followed, entries, followed
 from derive.kinds.robot._carried.in_time import in_time, lines
@@ -78,6 +78,7 @@ def in_closed_form(given: Setting) -> Derivation:
     if found is not None and table is not None and given.driven is not None:
         work = work.claim(route("as-drawn", rows_follow(where, given.driven, found, given.point)))
         work = work.claim(route("as-tabled", (_is_row(row, told, given) for row in table.rows)))
+        work = work.claim(route("as-tabled", goes_through(table, found)))
         work = work.claim(route("as-tabled", _begins_near(found, given)))
     ranges = ranges_of(given) if found is not None else {}
     said = said_of_ranges(found, ranges)

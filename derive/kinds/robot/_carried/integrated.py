@@ -13,7 +13,7 @@ from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Measured, Symbol, column
 from derive.kinds.checks import close, route
 from derive.kinds.path._timing import T
-from derive.kinds.robot._carried.checks import on_path, rows_follow
+from derive.kinds.robot._carried.checks import goes_through, on_path, rows_follow
 from derive.kinds.robot._carried.facts import Facts, Integrated
 from derive.kinds.robot._carried.limits import holds, ranges_of, said_of_ranges
 from derive.kinds.robot._carried.rates import SUBSTEPS, Rates
@@ -74,6 +74,7 @@ def by_rates(given: Setting) -> Derivation:
             route("integrated", _adds_up(found)),
             route("as-drawn", rows_follow(where, given.driven, found, given.point)),
             route("as-tabled", (_is_row(row, rates, given) for row in table.rows)),
+            route("as-tabled", goes_through(table, found)),
         )
     )
     ranges = ranges_of(given)

@@ -12,6 +12,7 @@ from derive.kinds.robot._carried.sampled import Sampled
 from derive.mechanics.robot import Robot
 
 SAME, APART = 1e-4, 1e-2  # rad, or of the greatest displacement
+MOMENTS = 7
 
 
 def returns(found: Sampled, driven: Driven) -> Phrase | None:
@@ -30,7 +31,11 @@ def returns(found: Sampled, driven: Driven) -> Phrase | None:
 
 def is_so(said: Phrase, table: Table, driven: Driven, robot: Robot) -> Iterator[bool]:
     """Whether the rows of the table at both ends say it."""
-    yield _is_closed(driven)
+    assert driven.ends
+    begin, end = driven.ends
+    places = [driven.place(begin + k * (end - begin) / MOMENTS) for k in range(MOMENTS + 1)]
+    away = [float(abs(each - places[0]).max()) for each in places]
+    yield away[-1] < SAME * max(away)
     first, last = ([cell.value for cell in row if isinstance(cell, Approximate)] for row in _ends(table))
     turning = _turning(robot)
     pairs = list(zip(first[1:], last[1:], turning, strict=False))

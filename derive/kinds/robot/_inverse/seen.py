@@ -9,15 +9,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from derive.derivation import Claim
-from derive.expression import ZERO, Relation
-from derive.kinds.checks import route
+from derive.derivation import Cell, Claim, Phrase
+from derive.expression import ZERO, Relation, Symbol
+from derive.kinds.checks import close, route
 from derive.kinds.robot._inverse.checks import Tried, side
 from derive.kinds.robot._inverse.choices import Choices
 from derive.kinds.robot._inverse.postures import End, Posture
 from derive.kinds.robot._inverse.target import Values, gap
 from derive.kinds.robot._inverse.worked import Worked
 from derive.kinds.robot._seen import axis_seen, meeting
+from derive.mechanics.inverse.goal import AXES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -25,6 +26,19 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 TURN, NEAR = 0.3, 1e-6
+
+
+def angle_told(said: Phrase, tried: Tried) -> Claim:
+    """Whether an angle that is known is one between the two axes that are named: its cosine is their
+    product."""
+    names = {key: each.name for key, each in said.about.items() if isinstance(each, Symbol)}
+    row, column = (AXES.index(names[key]) for key in ("base", "axis"))
+    target = tried.target
+    pairs = (
+        (known[names["name"]], target.oracle.tool(target.completed(known))[row, column])
+        for _, _, known in tried.once
+    )
+    return route("angle-told", (close(math.cos(phi), product, NEAR) for phi, product in pairs))
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +55,9 @@ class Seen:
         if self.choices.postures:
             names = (has for k, _, known in once for has in self._named(k, known))
             yield route("postures-seen", [*names, *self._flipped()])
-        if self.choices.table:
-            yield route("signs-told", (holds for k, _, known in once for holds in self._signs(k, known)))
+        if table := self.choices.table:
+            signs = (holds for k, _, known in once for holds in self._signs(k, known))
+            yield route("signs-told", [*signs, *self._numbered([row[0] for row in table.rows])])
 
     def _named(self, k: int, known: Values) -> Iterator[bool]:
         for posture in self.choices.postures:
@@ -106,6 +121,13 @@ class Seen:
         for condition, said in self.choices.told(k):
             value = side(Relation(condition, ">", ZERO), self.tried.target, known)
             yield value is not None and said == ("plus" if value > 0 else "minus")
+
+    def _numbered(self, numbers: Sequence[Cell]) -> Iterator[bool]:
+        """From 1 on, and a solution at a pose by those of its rows."""
+        yield numbers == [str(k) for k, _ in enumerate(self.choices.chosen, 1)]
+        for k, number in enumerate(numbers):
+            yield self.choices.called([k]) == number
+            yield self.choices.called([0, k]) == f"{numbers[0]}, {number}"
 
     # -- the arm in numbers -----------------------------------------------------------------------
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -34,6 +35,7 @@ TOLERANCE, APART, STEPS = 1e-8, 1e-4, 30
 COARSE = 48
 SQUARES, THROWN, MOSTLY = 60, 200, 0.9
 COARSER = 5  # of grids with fewer values
+PLACES = 5  # with at most two or three numbers between them
 POINTS, TURN, SMALL = 2, 0.7, 1e-6
 
 
@@ -109,6 +111,20 @@ class SectionSeen:
         """Whether so many values of the joints lead to each place."""
         for each in samples:
             yield len(self._found(each)) == each.count
+
+    def are_all(self, samples: Sequence[Sample]) -> bool:
+        """Whether the table has the number of every place of some values at random that is not alone with
+        it."""
+        import numpy as np
+
+        draw = random.Random("places")
+        limits = [self.arm.limits[row] for row in self.others]
+        counts = []
+        for _ in range(PLACES):
+            (rho,), (z,) = self.seen(*(np.array([draw.uniform(*each)]) for each in limits))
+            counts.append(len(self._found(Sample(float(rho), float(z), 0))))
+        told = {each.count for each in samples}
+        return all(each in told for each in counts if counts.count(each) > 1)
 
     def _found(self, sample: Sample) -> list[Array]:
         """By Newton's method from everywhere on a coarse grid; values that differ by whole turns are one."""

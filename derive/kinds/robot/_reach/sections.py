@@ -287,6 +287,8 @@ class InSectionOf:
         rows = listed(facts.section.table) if facts.section.table else []
         voids = [each for each in rows if not each.count]
         yield route("section-counts", seen.counts(rows))
+        if rows:
+            yield route("section-counts", seen.are_all(rows))
         if voids:
             yield route("section-void", map(seen.is_closed_in, voids))
         yield route("section-called", called_so(facts, told, bool(voids)))
