@@ -3,6 +3,7 @@ place, and all rates by differences over time."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from math import pi
@@ -196,15 +197,18 @@ class Body:
         ends = {"a_s": column_of(self.angles(0.0)), "a_f": column_of(self.angles(1.0))}
         letters, angles = self.course.turned.convention, self.angles(u)
         ends |= {f"angle_{k}": float(value) for k, value in enumerate(angles)}
-        return ends | {f"factor_{k}": self._by_name(f"factor_{k}", ends) for k in range(len(letters))}
+        order = list(enumerate(letters)) if letters.isupper() else list(enumerate(letters))[::-1]
+        factors = (self._factor(at, k, letter, angles[k]) for at, (k, letter) in enumerate(order))
+        return ends | {f"factor_{at}": factor for at, factor in enumerate(factors)}
 
-    def _by_name(self, factor: str, angles: Mapping[str, Any]) -> Any:
-        """The rotation that R_{z,phi} is called."""
-        called, name = self.way.called, self.way.called[factor]
+    def _factor(self, at: int, k: int, letter: str, angle: float) -> Any:
+        """The rotation at a place of the product, if it is called that about its own axis by its own angle:
+        two angles may be equal all along."""
+        called = self.way.called
+        name = called[f"factor_{at}"]
         assert isinstance(name, Indexed)
-        axis, angle = name.lower
-        value = next(each for key, each in angles.items() if called[key] == angle)
-        return in_sequence(str(text(axis)), [value])
+        own = [text(name.lower[0]), name.lower[1]] == [letter.lower(), called[f"angle_{k}"]]
+        return in_sequence(letter, [angle if own else math.nan])
 
     def _quaternions(self, u: float) -> dict[str, Any]:
         """That of the start with a scalar part that is not negative, and those turned on from it."""
