@@ -48,6 +48,8 @@ class PointTable:
         rows = []
         for branch, label in zip(branches, labels, strict=True):
             rows.append([self._label(label)])
+            if branch.get("real", True) != (branch.keys() >= {*names}):
+                raise NotAsWritten("a solution is said to be real without values, or not to be real with them")
             if branch.get("real", True):
                 rows[-1] += [self._cell(name, self._within(name, branch)) for name in names]
             else:
