@@ -36,6 +36,7 @@ from derive.expression import (
     terms_of,
 )
 from derive.given.datum import Datum
+from derive.given.tabled import mistabled
 from derive.kinds.problem import Problem
 from derive.kinds.robot._ranges import ranges_told
 from derive.kinds.somewhere import Somewhere, contradicted, values_of
@@ -74,14 +75,15 @@ def misquoted(answer: Derivation, options: Any, problem: Problem) -> Iterator[st
 def misgiven(data: Iterable[Datum], options: Any, problem: Problem) -> Iterator[str]:
     """The same of what the page says that a problem gives, or a question: by its table and equations too, and
     of its numbers."""
-    typed = Known()
-    typed.take((options, problem.where, problem.points, *_typed(problem.subject)))
+    typed, given = Known(), (options, problem.where, problem.points, *_typed(problem.subject))
+    typed.take(given)
     board = Board(typed, Somewhere({}), typed=True)
     for datum in data:
         yield from board.strange(_phrases(datum))
         rows = datum.table.rows if datum.table else ()
         shown = _formulas(tuple(_mathematics((rows, datum.equations))))
-        if OWN.get(datum.said.key) != "table" and any(map(board.denies, shown)):
+        held = OWN.get(datum.said.key) == "table"
+        if not held and (any(map(board.denies, shown)) or mistabled(rows, given)):
             yield datum.said.key
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import Claim, Said
+from derive.derivation import Cell, Claim, Said, Table
 from derive.errors import NotReal
+from derive.expression import number
 
 NORMAL_FORM = "normal-form"
 SECOND_ROUTE = "independent-route"
@@ -97,6 +98,11 @@ def flat(value: Any) -> Iterator[float]:
             yield from flat(part)
     else:
         yield float(value)
+
+
+def numbers_rows(table: Table, rows: Iterable[Sequence[Cell]], first: int = 0) -> bool:
+    """Whether a table holds just these rows, with their numbers from the first one on before them."""
+    return table.rows == tuple((number(k), *row) for k, row in enumerate(rows, first))
 
 
 def is_rotation(R: ScalarMatrix, name: str = "R") -> tuple[Claim, ...]:

@@ -49,7 +49,7 @@ class PointTable:
         for branch, label in zip(branches, labels, strict=True):
             rows.append([self._label(label)])
             if branch.get("real", True) != (branch.keys() >= {*names}):
-                raise NotAsWritten("a solution is said to be real without values, or not to be real with them")
+                raise NotAsWritten("a solution has values and is not real, or has none and is")
             if branch.get("real", True):
                 rows[-1] += [self._cell(name, self._within(name, branch)) for name in names]
             else:

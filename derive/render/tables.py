@@ -23,11 +23,11 @@ def columns_of(table: Table, values: Values) -> tuple[Table, tuple[str, ...]]:
         _column(heading, column, values)
         for heading, column in zip(table.headings, zip(*table.rows, strict=True), strict=True)
     ]
-    rows = tuple(zip(*(cells for cells, _ in columns), strict=True))
+    shown = Table(table.headings, tuple(zip(*(cells for cells, _ in columns), strict=True)))
     for k, (_, unit) in enumerate(columns):
-        for found, said in zip(table.rows, rows, strict=True):
+        for found, said in zip(table.rows, shown.rows, strict=True):
             _hold(found[k], said[k], unit)
-    return Table(table.headings, rows), tuple(unit for _, unit in columns)
+    return shown, tuple(unit for _, unit in columns)
 
 
 def _hold(found: Cell, said: Cell, unit: str) -> None:

@@ -80,11 +80,15 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     stands = criterion(model, said)
     work = work.claim(*held(still, problem, steps, branches, stands.effective))
     work = work.claim(*none_is_missing(still, problem, steps, branches, free))
+    table = _table(system, branches) if branches else None
+    if table:
+        values = [(*branch.values.values(), branch.when) for branch in branches]
+        work = work.law("listed", values == [*table.rows])
     told_of = given.items() if any(left) else ()
     facts = Facts(
         inputs=tuple(name for name, value in told_of if value == ZERO),
         given=tuple((name, value) for name, value in told_of if value not in (ZERO, name)),
-        table=_table(system, branches) if branches else None,
+        table=table,
         free=tuple(Symbol(q) for q in dict.fromkeys(q for each in found for q in each.free)),
         angles=any(PI in walk(tree) for branch in branches for tree in branch.values.values()),
         criterion=stands,

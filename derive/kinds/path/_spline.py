@@ -125,7 +125,8 @@ class Splined:
 
     def proved(self, results: Mapping[str, Result]) -> Work:
         """With what it is held to."""
-        told = Told(self.V, self.knots, self.spans, self.told.pieces, self.told.bends, results)
+        facts = self.told
+        told = Told(self.V, self.knots, self.spans, facts.points, facts.pieces, facts.bends, results)
         return held(self.work, self.shape, told)
 
     def drawn(self, results: Mapping[str, Result]) -> Iterator[Figure]:

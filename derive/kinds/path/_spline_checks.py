@@ -13,7 +13,7 @@ from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
 from derive.derivation import Phrase, Result, Table
 from derive.expression import Expr, Symbol
-from derive.kinds.checks import close, random_points, route
+from derive.kinds.checks import close, numbers_rows, random_points, route
 from derive.kinds.fields import TREES
 from derive.kinds.path._splines import Solved
 from derive.kinds.path._timing import T
@@ -30,11 +30,12 @@ CHORDS = 400
 @dataclass(frozen=True, slots=True)
 class Told:
     """What is told of a spline: the name of the velocities, the points and pieces of each coordinate, the
-    table of the pieces, what is said of how it bends, and the results."""
+    tables of the points and of the pieces, what is said of how it bends, and the results."""
 
     V: Symbol
     knots: Sequence[Knots]
     spans: Sequence[Sequence[Span]]
+    points: Table
     pieces: Table
     bends: Phrase | None
     results: Mapping[str, Result]
@@ -48,6 +49,8 @@ def held(work: Work, shape: Via, told: Told) -> Work:
     drawn = random_points(work.problem.symbols, POINTS)
     known = (completed(at, work.problem.where) for at in drawn)
     written = (ok for at in known for ok in _as_written(work, shape, told, at))
+    typed = ((time, *place) for time, place in zip(shape.times, shape.places, strict=True))
+    work = work.law("all-conditions", numbers_rows(told.points, typed))
     return work.claim(route("all-conditions", written))
 
 

@@ -25,7 +25,7 @@ from derive.expression import (
     symbols,
 )
 from derive.kinds.checks import random_points, route
-from derive.kinds.fields import Evaluation, OptionsModel
+from derive.kinds.fields import TREES, Evaluation, OptionsModel
 from derive.kinds.meanings import Names, column_of, told
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
@@ -152,6 +152,7 @@ def _parameters_alone(
     work = _told_equal(work, found.base, theta)
     work = work.claim(route("smallest", columns["Y_b"].independent(arm)))
     facts = _facts(problem, parameters, found.base, values, terms_of(parameters))
+    work = work.law("listed", _lists(facts.table, results))
     return work.answer("regressor", results, facts)
 
 
@@ -207,6 +208,7 @@ def _in_symbols(robot: Robot, problem: Problem, parameters: Sequence[Standard]) 
     work = _told_equal(work, base, theta)
     work = work.claim(route("smallest", _is_smallest(arm, as_matrix(results["Y_b"], "Y_b"))))
     facts = _facts(problem, parameters, base, values)
+    work = work.law("listed", _lists(facts.table, results))
     return work.answer("regressor", results, facts, matrices=frozenset({"Y", "Y_b"}))
 
 
@@ -244,6 +246,13 @@ def _facts(
         numbers=printed,
         page_names={"parameters": THETA, "base_parameters": THETA_B},
     )
+
+
+def _lists(table: Table, results: Mapping[str, Expr]) -> bool:
+    """Whether it has each parameter of the results beside its value."""
+    rows = [(typed_name(name), value) for name, value in table.rows if isinstance(name, TREES)]
+    names, values = (children(results[each]) for each in ("names", "parameters"))
+    return rows == [*zip(names, values, strict=True)] and len(rows) == len(table.rows)
 
 
 def _told_alike(alike: tuple[Relation, ...]) -> Phrase:
