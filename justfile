@@ -37,9 +37,9 @@ new-kind subject kind:
 mutants *options:
     python3 -m tests.mutants {{options}}
 
-# One wrong sign in one printed line, six lines a module, and which were printed
-lines *options:
-    python3 -m tests.mutants lines {{options}}
+# One wrong sign in one printed line (or: just lines sentences, tables), six a module, and which were printed
+lines what="lines" *options:
+    python3 -m tests.mutants {{what}} {{options}}
 
 # Rebuild the golden pages after a change that is meant; of some sheets: just golden -k week3
 golden *options:

@@ -1,4 +1,5 @@
-"""`python -m tests.mutants` plants mistakes, `python -m tests.mutants lines` wrong signs into lines."""
+"""`python -m tests.mutants` plants mistakes; `python -m tests.mutants lines` wrong signs into lines, and the
+same with `sentences` and with `tables`."""
 
 from __future__ import annotations
 
@@ -15,6 +16,7 @@ from typing import TypeVar
 
 from tests.mutants.lines import Line, drawn, lines_of, outcome
 from tests.mutants.operators import STRATA, WORDS, Mutant
+from tests.mutants.said import MADE
 from tests.mutants.trial import MOST, Ground, sample, tried
 from tests.mutants.units import Lines, Page, Refused, Unit, forked, reached, units, warmed
 from tests.mutants.verdict import DANGEROUS, ORDER, Verdict
@@ -48,9 +50,9 @@ def _among(parts: str, name: str) -> bool:
 def main() -> None:
     """Plants, prints what survives as it is found, then a table; `--report` keeps both with every mutant."""
     parser = argparse.ArgumentParser(prog="python -m tests.mutants", description=__doc__)
-    parser.add_argument("what", nargs="?", choices=["code", "lines"], default="code")
+    parser.add_argument("what", nargs="?", choices=["code", *MADE], default="code")
     parser.add_argument("--count", type=int, default=500, help="mistakes in all")
-    parser.add_argument("--each", type=int, default=6, help="lines of each module")
+    parser.add_argument("--each", type=int, default=6, help="of each module")
     parser.add_argument("--most", type=int, default=MOST, help="problems that are built for one mistake")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
@@ -63,7 +65,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         field = ground(Path(folder), asked.sheets, asked.jobs)
         print(f"{len(field.pages)} problems, {time.monotonic() - begun:.0f} s", file=sys.stderr, flush=True)
-        report = (_lines if asked.what == "lines" else _mutants)(field, asked)
+        report = (_lines if asked.what in MADE else _mutants)(field, asked)
     report = f"{report}\n\nseed {asked.seed}, {time.monotonic() - begun:.0f} s\n"
     if asked.report:
         asked.report.write_text(report, encoding="utf-8")
@@ -89,7 +91,11 @@ def _mutant(field: Ground, seed: int, most: int, mutant: Mutant) -> Tried:
 
 
 def _lines(field: Ground, asked: argparse.Namespace) -> str:
-    made = [line for lines in each_of(list(field.pages), _lines_of, asked.jobs) for line in lines]
+    made = [
+        line
+        for lines in each_of(list(field.pages), partial(_lines_of, asked.what), asked.jobs)
+        for line in lines
+    ]
     some = drawn([line for line in made if _among(asked.only, line.module)], asked.each, asked.seed)
     found = list(each_of(some, partial(_line, field), asked.jobs))
     count = Counter(kind for _, kind in found)
@@ -97,13 +103,15 @@ def _lines(field: Ground, asked: argparse.Namespace) -> str:
     for line in told:
         if line.startswith("printed"):
             print(line)
-    whole = f"{len(made)} lines, {len(found)} tried: " + ", ".join(f"{n} {k}" for k, n in count.most_common())
+    whole = f"{len(made)} {asked.what}, {len(found)} tried: " + ", ".join(
+        f"{n} {k}" for k, n in count.most_common()
+    )
     print(whole)
     return "\n".join([whole, *sorted(told)])
 
 
-def _lines_of(unit: Unit) -> list[Line]:
-    return forked(partial(lines_of, unit), SLOW) or []
+def _lines_of(what: str, unit: Unit) -> list[Line]:
+    return forked(partial(lines_of, what, unit), SLOW) or []
 
 
 def _line(field: Ground, line: Line) -> tuple[Line, str]:

@@ -1,7 +1,7 @@
-"""One wrong sign in one printed line of a derivation: who sees it?
+"""One wrong sign in one printed line, sentence or table of a derivation: who sees it?
 
-Every step of every problem is counted where it is made; some of those of each module are drawn, and the end
-of the chain of each gets one wrong sign, nothing else.
+Every step of every problem is counted where it is made, as is every phrase and every table; some of those of
+each module are drawn, and each gets one wrong sign, nothing else.
 """
 
 from __future__ import annotations
@@ -13,13 +13,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
+from inspect import signature
 from typing import Any
 
 import pytest
 
-from derive.derivation import Step
-from derive.expression import ZERO, Expr
-from tests.kinds.planting import turned
+from tests.mutants.said import MADE
 from tests.mutants.units import Page, Refused, Unit, built, forked
 from tests.mutants.verdict import FOOT, verdict
 
@@ -33,38 +32,37 @@ SHARED = (
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A step of a problem, by its number among those that are made; its module and its name."""
+    """A step, a phrase or a table (`what`) of a problem with one place that is wrong, by its number among
+    those that can be made; its module and its name."""
 
     unit: Unit
     number: int
     module: str
     name: str
+    what: str
 
     def __str__(self) -> str:
         return f"{self.unit}  {self.module}  {self.name}"
 
 
 @contextmanager
-def _made(met: list[tuple[str, str]], wrong_at: int = -1) -> Iterator[None]:
-    """Steps are counted as they are made; one gets a wrong sign."""
-    make = Step.__init__
+def _made(what: str, met: list[tuple[str, str]], wrong_at: int = -1) -> Iterator[None]:
+    """Wrong versions are counted as the right ones are made; one takes the place of its own."""
+    kind, versions = MADE[what]
+    make: Any = kind.__init__
+    taken = signature(make)
 
-    def noted(self: Step, name: str, chain: Any = (), *others: Any, **more: Any) -> None:
-        chain = tuple(chain)
-        last = turned(chain[-1]) if chain and chain[-1] != ZERO else None
-        if last is not None:
+    def noted(*args: Any, **more: Any) -> None:
+        asked = taken.bind(*args, **more)
+        for name, field, wrong in [*versions(asked.arguments)]:
             if len(met) == wrong_at:
-                chain = _ending(chain, last)
+                asked.arguments[field] = wrong
             met.append((_module(), name))
-        make(self, name, chain, *others, **more)
+        make(*asked.args, **asked.kwargs)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Step, "__init__", noted)
+        patch.setattr(kind, "__init__", noted)
         yield
-
-
-def _ending(chain: tuple[Expr, ...], last: Expr) -> tuple[Expr, ...]:
-    return (*chain[:-1], last)
 
 
 def _module() -> str:
@@ -75,12 +73,12 @@ def _module() -> str:
     return str(frame.f_globals.get("__name__"))
 
 
-def lines_of(unit: Unit) -> list[Line]:
+def lines_of(what: str, unit: Unit) -> list[Line]:
     """All that are made for a problem and can be wrong."""
     met: list[tuple[str, str]] = []
-    with _made(met):
+    with _made(what, met):
         built(unit)
-    return [Line(unit, number, module, name) for number, (module, name) in enumerate(met)]
+    return [Line(unit, number, module, name, what) for number, (module, name) in enumerate(met)]
 
 
 def drawn(lines: list[Line], each: int, seed: int) -> list[Line]:
@@ -111,5 +109,5 @@ def outcome(line: Line, right: Page) -> str:
 
 
 def _with(line: Line) -> Page | Refused:
-    with _made([], line.number):
+    with _made(line.what, [], line.number):
         return built(line.unit)
