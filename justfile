@@ -37,9 +37,17 @@ new-kind subject kind:
 mutants *options:
     python3 -m tests.mutants {{options}}
 
-# One wrong sign in one printed line (or: just lines sentences, tables), six a module, and which were printed
-lines what="lines" *options:
-    python3 -m tests.mutants {{what}} {{options}}
+# One wrong sign in one printed line, six lines a module, and which were printed
+lines *options:
+    python3 -m tests.mutants lines {{options}}
+
+# The same in sentences
+sentences *options:
+    python3 -m tests.mutants sentences {{options}}
+
+# The same in tables
+tables *options:
+    python3 -m tests.mutants tables {{options}}
 
 # Rebuild the golden pages after a change that is meant; of some sheets: just golden -k week3
 golden *options:
