@@ -93,6 +93,11 @@ def first_quarter(form: Form) -> tuple[int, int, Form]:
 
 def combination(form: Form, basis: Sequence[Form]) -> tuple[Fraction, ...] | None:
     """The coefficients that write `form` in linearly independent `basis`; None if there are none."""
+    return _combination(form, tuple(basis))
+
+
+@lru_cache(maxsize=4096)
+def _combination(form: Form, basis: tuple[Form, ...]) -> tuple[Fraction, ...] | None:
     if not basis:
         return None if form.parts else ()
     atoms = sorted({atom for member in (form, *basis) for atom, _ in member.parts})

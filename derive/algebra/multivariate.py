@@ -38,6 +38,11 @@ def grouped(polynomial: fmpq_mpoly, places: Iterable[int]) -> dict[tuple[int, ..
     return {powers: context.from_dict(terms) for powers, terms in groups.items()}
 
 
+def without(polynomial: fmpq_mpoly, places: Iterable[int]) -> fmpq_mpoly:
+    """The terms that hold none of the generators at these places."""
+    return polynomial.subs(dict.fromkeys(places, 0))
+
+
 def _in_order(number: fmpq, found: list[tuple[fmpq_mpoly, Any]]) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
     factors = [(factor, int(power)) for factor, power in found]
     return number, sorted(factors, key=_place) if len(factors) > 1 else factors

@@ -26,7 +26,7 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 from derive.algebra.angles import Form, first_quarter, fixed_parts, multiples, require_few
 from derive.algebra.bounds import spend
 from derive.algebra.generators import PI, Opaque, Root, letters_of
-from derive.algebra.multivariate import grouped
+from derive.algebra.multivariate import grouped, without
 from derive.algebra.rationals import Rational, as_fraction, to_flint
 
 Pair = tuple[fmpq_mpoly, fmpq_mpoly]
@@ -166,6 +166,10 @@ class Ring:
             return found
         by_name = ((dict(zip(own, powers, strict=True)), part) for powers, part in found.items())
         return {tuple(powers.get(name, 0) for name in names): part for powers, part in by_name}
+
+    def without(self, polynomial: fmpq_mpoly, names: Iterable[str]) -> fmpq_mpoly:
+        """The terms that hold none of these generators; others are in none."""
+        return without(polynomial, [self.index[name] for name in names if name in self.index])
 
     def trig(self, form: Form) -> Pair | None:
         """(cosine, sine) of a form that is an integer combination of the angles; else None."""

@@ -104,9 +104,12 @@ def unmeasured(expr: Expr) -> Expr:
 
 def replace(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:
     """The tree with each node that is a key of `values` replaced, outermost first."""
-    if expr in values:
-        return values[expr]
-    return rebuild(expr, lambda part: replace(part, values))
+    kinds = {*map(type, values)}  # nothing else is looked up: the hash of a sum is that of all in it
+
+    def put(node: Expr) -> Expr:
+        return values[node] if type(node) in kinds and node in values else rebuild(node, put)
+
+    return put(expr)
 
 
 def replace_all(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:

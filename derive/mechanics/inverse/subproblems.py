@@ -245,7 +245,7 @@ def slide(difference: Scalar, name: str, equation: Equation) -> Slide | None:
 def split(equation: Equation, value: Scalar, unknown: frozenset[str]) -> Coordinate:
     """right - left, sorted into what holds unknown generators and what does not."""
     home = value.ring
-    outer = home.grouped(value.numerator, unknown).get((0,) * len(unknown), home.zero)
+    outer = home.without(value.numerator, unknown)
     return Coordinate(equation, -Scalar(home, outer), Scalar(home, value.numerator - outer))
 
 
