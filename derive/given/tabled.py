@@ -14,29 +14,39 @@ from derive.expression import Degrees, Expr, Matrix, Measured, Number, children,
 
 TREES = get_args(Expr)
 Entries: TypeAlias = tuple[Expr, ...]
-Key: TypeAlias = tuple[bool, float]  # whether it is in degrees, its value
+Key: TypeAlias = Expr | tuple[bool, float]  # of a number whether it is in degrees, and its value
 
 
 def mistabled(rows: Sequence[Sequence[Cell]], typed: Any) -> bool:
-    """Whether a column is a typed one with other signs, or a number stands in more cells than it was typed
-    and its opposite was typed; or a row has a negative number."""
+    """Whether a cell stands in a table more often than it was typed, and with other signs was typed too; or
+    rows are not numbered from 0 or 1 on."""
     cells = [_plain(cell) for row in rows for cell in row if isinstance(cell, TREES)]
-    vectors = {*_vectors(typed)}
+    vectors, columns = Counter(_vectors(typed)), Counter(children(cell) for cell in cells if _is_column(cell))
     shown = Counter(key for cell in cells if (key := _key(cell)))
     counts = Counter(key for tree in _trees(typed) if (key := _key(tree)))
     return (
-        any(_is_turned(children(cell), vectors) for cell in cells if isinstance(cell, Matrix))
+        any(n > vectors[each] and _is_turned(each, vectors) for each, n in columns.items())
         or any(n > counts[key] and counts[_opposite(key)] for key, n in shown.items())
-        or any(key and key[1] < 0 and not counts[key] for row in rows for key in (_key(row[0]),))
+        or not _is_numbered([row[0] for row in rows])
     )
 
 
-def _is_turned(entries: Entries, vectors: set[Entries]) -> bool:
-    """Whether only columns are typed that have the opposite of some of these entries."""
-    if entries in vectors:
-        return False
-    alike = (each for each in vectors if len(each) == len(entries))
+def _is_column(cell: Expr) -> bool:
+    return isinstance(cell, Matrix) and cell.shape[1] == 1
+
+
+def _is_turned(entries: Entries, vectors: Iterable[Entries]) -> bool:
+    """Whether a column is typed that has the opposite of some of these entries."""
+    alike = (each for each in vectors if len(each) == len(entries) and each != entries)
     return any(all(a in (b, negate(b)) for a, b in zip(entries, each, strict=True)) for each in alike)
+
+
+def _is_numbered(cells: Sequence[Cell]) -> bool:
+    """Whether the first cells, where their sizes are numbers in a row, are these numbers."""
+    numbers = [int(cell.value) for cell in cells if isinstance(cell, Number) and cell.value.denominator == 1]
+    sizes = list(map(abs, numbers))
+    in_order = any(sizes == list(range(first, first + len(cells))) for first in (0, 1))
+    return not in_order or numbers == sizes
 
 
 def _plain(tree: Any) -> Any:
@@ -44,13 +54,14 @@ def _plain(tree: Any) -> Any:
 
 
 def _key(tree: Any) -> Key | None:
-    """Of a number other than zero."""
-    value = float(tree.value) if isinstance(tree, Number | Degrees) else 0.0
-    return (isinstance(tree, Degrees), value) if value else None
+    """Of all but zero, and columns."""
+    if isinstance(tree, Number | Degrees):
+        return (isinstance(tree, Degrees), float(tree.value)) if tree.value else None
+    return None if isinstance(tree, Matrix | Measured) else tree
 
 
 def _opposite(key: Key) -> Key:
-    return key[0], -key[1]
+    return (key[0], -key[1]) if isinstance(key, tuple) else negate(key)
 
 
 def _trees(value: Any) -> Iterator[Expr]:
