@@ -9,7 +9,7 @@ from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Branch, Phrase
 from derive.errors import NotReal
-from derive.expression import free_symbols, replace
+from derive.expression import Expr, Symbol, free_symbols, replace
 from derive.kinds.checks import close, random_points
 from derive.kinds.mechanism._facts import EndTold, Singular
 from derive.kinds.mechanism._loop_oracle import ROUND, tip, zeros
@@ -17,7 +17,11 @@ from derive.kinds.mechanism._position_checks import SIZES
 from derive.kinds.work import Work
 from derive.mechanics.linkages import FourBar, SliderCrank
 
-POINTS, NEAR = 4, 1e-6
+POINTS, NEAR, TURN = 4, 1e-6, 0.7
+LINES = (
+    *("toggle-stretched", "toggle-folded", "limit-stretched", "limit-folded"),
+    *("upright-above", "upright-below", "rod-stretched", "rod-folded"),
+)
 TOUCHING = 1e-3  # of a cosine: where it is this near to one, two places meet and no sign changes
 
 
@@ -73,6 +77,23 @@ def all_found(
                 yield len(there) == len(angles)
                 yield all(min(abs(tip(1, a) - tip(1, b)) for b in there) < NEAR for a in angles)
         yield from _lines(work, found, point)
+        yield from _triangles(work, linkage, sizes, point)
+
+
+def vanish_in_line(
+    linkage: FourBar | SliderCrank, factors: Sequence[Expr], names: Sequence[Symbol]
+) -> Iterator[bool]:
+    """Whether the first factor is zero just with the coupler along the rocker, or the rod upright, and the
+    second just with the crank along the coupler."""
+    crank, coupler, last = (each.name for each in names)
+    first, second = factors
+    for k in range(4):
+        turned, along = TURN + k * tau / 4, k % 2 == 0
+        if isinstance(linkage, FourBar):
+            yield (abs(at(first, {coupler: turned, last: TURN})) < NEAR) == along
+        else:
+            yield (abs(at(first, {coupler: turned - TURN})) < NEAR) != along
+        yield (abs(at(second, {crank: TURN, coupler: turned})) < NEAR) == along
 
 
 def _goes_round(seen: Mapping[str, Callable[[float], float]]) -> bool:
@@ -132,6 +153,30 @@ def _lines(work: Work, found: Mapping[str, list[float]], point: Point) -> Iterat
             (name,) = free_symbols(head)
             values = [work.problem.final(replace(each, work.definitions)) for each in formulas]
             yield all(close(at(each, point), at(head, {name: angle})) for each in values)
+
+
+def _triangles(
+    work: Work, linkage: FourBar | SliderCrank, sizes: Sequence[float], point: Point
+) -> Iterator[bool]:
+    """Every cosine by the triangle of the bars in line, every sine by the heights, where none is an angle
+    too."""
+    crank, coupler, last = sizes[:3]
+    for step in work.steps:
+        for each in step.chain[1:] if step.name in LINES else ():
+            value = at(work.problem.final(replace(each, work.definitions)), point)
+            reach = {"stretched": 1, "folded": -1}.get(step.name.rpartition("-")[2], 0)
+            if isinstance(linkage, FourBar):
+                ground = sizes[3]
+                one, other = (
+                    (crank, coupler + reach * last)
+                    if "toggle" in step.name
+                    else (crank + reach * coupler, last)
+                )
+                yield close(one**2 + ground**2 - 2 * one * ground * value, other**2)
+            elif reach:
+                yield close((crank + reach * coupler) * value, last)
+            else:
+                yield close(crank * value, last + coupler * (1 if step.name == "upright-above" else -1))
 
 
 def _key(branch: Branch) -> str:

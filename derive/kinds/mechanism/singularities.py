@@ -30,7 +30,7 @@ from derive.kinds.mechanism._facts import Singular
 from derive.kinds.mechanism._facts import SingularFacts as Facts
 from derive.kinds.mechanism._five_bar_singular import of_five_bars
 from derive.kinds.mechanism._loop import loop_of, units_of
-from derive.kinds.mechanism._singular_checks import all_found
+from derive.kinds.mechanism._singular_checks import all_found, vanish_in_line
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.linkages import FiveBar, FourBar, SliderCrank
@@ -72,9 +72,11 @@ def derive(linkage: FourBar | SliderCrank | FiveBar, options: Options, problem: 
     results = {"solutions": tuple(branches)}
     around = _around([problem.final(work.shown(formula)) for _, formula, _ in rows[:2]])
     work = work.claim(route("all-around", all_found(linkage, work, results["solutions"], around, places)))
+    factors = (sin(subtract(third, last)) if four else cos(third), sin(subtract(theta, third)))
+    work = work.claim(route("all-around", vanish_in_line(linkage, factors, (theta, third, last))))
     facts = Facts(
         det=rates.step("det").chain,
-        factors=(sin(subtract(third, last)) if four else cos(third), sin(subtract(theta, third))),
+        factors=factors,
         unbounded=tuple(places[:2]), at_rest=tuple(places[2:]), last=Symbol(f"{last.name}_dot"),
         around=around, four=four, angle=theta, angle_results=(theta.name, "theta_4"), in_degrees=True,
     )  # fmt: skip

@@ -85,8 +85,14 @@ class Placed:
     def _is_labelled(self, at: Numbers) -> Iterator[bool]:
         """Whether each entry is of the branches it is said to be of, and is off its place as it is said."""
         yield len(self._entries) == len(self.found.branches)
-        for entry, branches in zip(self._entries, self.found.branches, strict=False):
+        labelled = [*zip(self._entries, self.found.branches, strict=False)]
+        for entry, branches in labelled:
             yield all(self._is_of(self.branches[k], entry) for k in branches)
+        had, not_had = (
+            {k for entry, its in labelled for k in its if entry.get("real", True) == real}
+            for real in (True, False)
+        )
+        yield not had & not_had and len(had | not_had) == len(self.branches)
         there = self.target.completed(at.typed)
         real = [self._joints(each) for each in self._entries if each.get("real", True)]
         off = [self.target.deviation(there, each) for each in real]

@@ -138,8 +138,17 @@ class Roots:
         if values.numbers:
             printed += self._is_said(values.numbers.point, *values.said)
         yield route("quartic", printed)
-        if values.parts == ():
-            yield route("placed", (values.place.out_of_reach,))
+        if values.parts is not None and values.numbers:
+            yield route("placed", self._all_kept(values, values.numbers.point))
+
+    def _all_kept(self, values: Evaluated, point: Point) -> Iterator[bool]:
+        """Whether the solutions for each root are among those of all, and none is where there is no root."""
+        entries = values.values["solutions"]
+        count = len(self.at(point))
+        yield len(values.parts or ()) == count
+        yield len(entries) == (sum(len(p.values["solutions"]) for p in values.parts or ()) or len(entries))
+        yield count > 0 or values.place.out_of_reach
+        yield count > 0 or not any(each.get("real", True) for each in entries)
 
     def _is_printed(self, point: Point) -> Iterator[bool]:
         """Whether the polynomial as printed is the equation in the angle times (1 + u^2)^2."""
