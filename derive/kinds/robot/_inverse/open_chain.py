@@ -28,7 +28,7 @@ from derive.kinds.robot._inverse.ranges import Ranges
 from derive.kinds.robot._inverse.refused import no_closed_form, refuse_at_once, refuse_self_motion
 from derive.kinds.robot._inverse.roots import Roots
 from derive.kinds.robot._inverse.sampled import sample_points
-from derive.kinds.robot._inverse.seen import Seen, angle_told
+from derive.kinds.robot._inverse.seen import Seen, angle_told, meeting_told
 from derive.kinds.robot._inverse.stages import Stages
 from derive.kinds.robot._inverse.target import Target
 from derive.kinds.robot._inverse.told import Told
@@ -111,6 +111,8 @@ def derive(
     facts = replace(facts, feasible=ranges.said, turn_limits=ranges.of_angles)
     if facts.known and goal.angle:
         work = work.claim(angle_told(facts.known, trial))
+    if facts.wrist and facts.wrist.meeting and "meet" in facts.wrist.meeting.key:
+        work = work.claim(meeting_told(facts.wrist.meeting, worked, trial))
     read = facts.wrist is not None and facts.wrist.stands  # off the pose of the end-effector
     unread = frozenset() if read else LINKS_ALONE
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values, unread=unread)

@@ -15,7 +15,7 @@ from derive.kinds.checks import close, route
 from derive.kinds.robot._inverse.checks import Tried, side
 from derive.kinds.robot._inverse.choices import Choices
 from derive.kinds.robot._inverse.postures import End, Posture
-from derive.kinds.robot._inverse.target import Values, gap
+from derive.kinds.robot._inverse.target import Target, Values, gap
 from derive.kinds.robot._inverse.worked import Worked
 from derive.kinds.robot._seen import axis_seen, meeting
 from derive.mechanics.inverse.goal import AXES
@@ -39,6 +39,23 @@ def angle_told(said: Phrase, tried: Tried) -> Claim:
         for _, _, known in tried.once
     )
     return route("angle-told", (close(math.cos(phi), product, NEAR) for phi, product in pairs))
+
+
+def meeting_told(said: Phrase, worked: Worked, tried: Tried) -> Claim:
+    """Whether the axes of a wrist meet in the origin of the end-effector's frame, and those of a shoulder in
+    that of the base, just where that is said."""
+    there = (_meet_at_end(worked, tried.target, known) for _, _, known in tried.once)
+    return route("meeting-told", (met == said.key.endswith("at-the-end") for met in there))
+
+
+def _meet_at_end(worked: Worked, target: Target, known: Values) -> bool:
+    import numpy as np
+
+    oracle = target.oracle
+    back = np.linalg.inv(oracle.tool(known))
+    turned = [oracle.tool({**known, name: known[name] + TURN}) @ back for name in worked.spherical]
+    end = 0.0 if worked.shoulder else oracle.tool(known)[:3, 3]
+    return bool(np.abs(meeting(turned) - end).max() < NEAR)
 
 
 @dataclass(frozen=True, slots=True)
