@@ -11,14 +11,16 @@ from typing import Any
 from derive.derivation import Claim, Derivation, Drawing
 from derive.errors import NotDerivable, SheetError, SheetErrors, met_at
 from derive.evaluate import strange_names, with_numbers
-from derive.expression import ZERO
+from derive.expression import (
+    ZERO,
+    every,
+)
 from derive.figures.held import Misdrawn
 from derive.figures.wish import Wish
 from derive.giving import with_given
 from derive.kinds.bare_units import bare_in_lines, bare_units
 from derive.kinds.figures import explains, figure_of
 from derive.kinds.problem import Problem as Working
-from derive.kinds.problem import parts
 from derive.kinds.registry import words_folder
 from derive.kinds.remembered import remembered
 from derive.lettered import letters_of, unused_letters
@@ -201,7 +203,7 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
         raise SheetErrors(misspelt)
     for needless in strange:
         warn(needless)
-    places = max(getattr(part, "rounded", 0) for part in parts(problem.subject))
+    places = max(getattr(part, "rounded", 0) for part in every(problem.subject))
     if places:
         answers = in_decimals(answers, problem.place)
     asked = [answer for answer in answers if solutions]

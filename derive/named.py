@@ -10,13 +10,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import fields, is_dataclass
 from typing import Any, get_args
 
 from pydantic import BaseModel
 
-from derive.derivation import Derivation, LinearSystem, Result
-from derive.expression import Expr, Matrix, Relation, Symbol, free_symbols
+from derive.derivation import Branch, Derivation, LinearSystem, Result
+from derive.expression import (
+    Expr,
+    Matrix,
+    Relation,
+    Symbol,
+    every,
+    free_symbols,
+    held,
+)
 from derive.kinds.problem import Problem, expressions
 from derive.kinds.registry import load
 
@@ -46,6 +53,8 @@ def _used(result: Result) -> frozenset[str]:
 
 def _known(answer: Derivation, options: Any, problem: Problem) -> Iterator[str]:
     yield from (*problem.moving, *answer.results)
+    for part in every(answer.results):
+        yield from (*part.values, *part.short) if isinstance(part, Branch) else ()
     yield from _typed(options)
     yield from _said(answer)
 
@@ -87,14 +96,8 @@ def _alone(value: Any) -> Iterator[str]:
             yield name.rstrip("*")
         case Matrix(rows):
             yield from _alone(rows)
-        case Relation(left, "="):
-            yield from _alone(left)
-        case tuple() | list():
-            for each in value:
+        case Relation():
+            yield from _alone(value.left if value.sign == "=" else ())
+        case _:
+            for each in held(value):
                 yield from _alone(each)
-        case Mapping():
-            for each in value.items():
-                yield from _alone(each)
-        case _ if is_dataclass(value) and not isinstance(value, (type, Relation, *TREES)):
-            for each in fields(value):
-                yield from _alone(getattr(value, each.name))

@@ -9,11 +9,9 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field
 from math import isclose, radians
 from typing import Any, get_args
-
-from pydantic import BaseModel
 
 from derive.derivation import Derivation, Phrase
 from derive.expression import (
@@ -28,7 +26,9 @@ from derive.expression import (
     Relation,
     Symbol,
     children,
+    every,
     free_symbols,
+    held,
     is_negative,
     negate,
     number,
@@ -99,18 +99,7 @@ def _rested_on(answer: Derivation) -> Iterator[Derivation]:
 
 
 def _phrases(value: Any) -> Iterator[Phrase]:
-    match value:
-        case Phrase(about=about):
-            yield value
-            yield from _phrases(tuple(about.values()))
-        case tuple() | list():
-            for each in value:
-                yield from _phrases(each)
-        case Mapping():
-            yield from _phrases(tuple(value.values()))
-        case _ if is_dataclass(value) and not isinstance(value, (type, Relation, *TREES)):
-            for each in fields(value):
-                yield from _phrases(getattr(value, each.name))
+    return (part for part in every(value) if isinstance(part, Phrase))
 
 
 def _formulas(said: Any) -> Iterator[Formula]:
@@ -272,17 +261,8 @@ def _mathematics(value: Any) -> Iterator[Formula]:
             yield number(int(value))
         case _ if isinstance(value, TREES):
             yield value
-        case Mapping():
-            for pair in value.items():
-                yield from _mathematics(pair)
-        case BaseModel():
-            for pair in value:
-                yield from _mathematics(pair)
-        case _ if is_dataclass(value) and not isinstance(value, type):
-            for each in fields(value):
-                yield from _mathematics(getattr(value, each.name))
-        case _ if isinstance(value, Iterable) and not isinstance(value, str):
-            for each in value:
+        case _:
+            for each in held(value):
                 yield from _mathematics(each)
 
 

@@ -5,8 +5,8 @@ cancelled: `2*(a + b)` stays a product and `0.10` stays a decimal. Meaning is gi
 `derive.algebra` brings a tree to its normal form (equality is `==` there) and finds the readable
 tree of a normal form; `derive.render` prints it.
 
-`nodes` are the trees and what puts them together, `forms` what is often made of them, and `parts` goes
-through one.
+`nodes` are the trees and what puts them together, `forms` what is often made of them, `parts` goes through
+one, and `held` through the records that hold them.
 """
 
 from derive.expression.forms import (
@@ -24,6 +24,7 @@ from derive.expression.forms import (
     symbols,
     transpose,
 )
+from derive.expression.held import every, held
 from derive.expression.nodes import (
     MINUS_ONE,
     ONE,
@@ -91,8 +92,10 @@ __all__ = [
     "column",
     "cos",
     "cross",
+    "every",
     "factors_of",
     "free_symbols",
+    "held",
     "is_negative",
     "measured",
     "multiply",

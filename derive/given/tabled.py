@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import fields, is_dataclass
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, TypeAlias, get_args
 
-from pydantic import BaseModel
-
-from derive.derivation import Cell, Phrase
-from derive.expression import Degrees, Expr, Matrix, Measured, Number, children, negate
+from derive.derivation import Cell
+from derive.expression import (
+    Degrees,
+    Expr,
+    Matrix,
+    Measured,
+    Number,
+    children,
+    every,
+    negate,
+)
 
 TREES = get_args(Expr)
 Entries: TypeAlias = tuple[Expr, ...]
@@ -23,7 +29,7 @@ def mistabled(rows: Sequence[Sequence[Cell]], typed: Any) -> bool:
     cells = [_plain(cell) for row in rows for cell in row if isinstance(cell, TREES)]
     vectors, columns = Counter(_vectors(typed)), Counter(children(cell) for cell in cells if _is_column(cell))
     shown = Counter(key for cell in cells if (key := _key(cell)))
-    counts = Counter(key for tree in _trees(typed) if (key := _key(tree)))
+    counts = Counter(key for part in every(typed) if (key := _key(_plain(part))))
     return (
         any(n > vectors[each] and _is_turned(each, vectors) for each, n in columns.items())
         or any(n > counts[key] and counts[_opposite(key)] for key, n in shown.items())
@@ -57,41 +63,18 @@ def _key(tree: Any) -> Key | None:
     """Of all but zero, and columns."""
     if isinstance(tree, Number | Degrees):
         return (isinstance(tree, Degrees), float(tree.value)) if tree.value else None
-    return None if isinstance(tree, Matrix | Measured) else tree
+    return tree if isinstance(tree, TREES) and not isinstance(tree, Matrix) else None
 
 
 def _opposite(key: Key) -> Key:
     return (key[0], -key[1]) if isinstance(key, tuple) else negate(key)
 
 
-def _trees(value: Any) -> Iterator[Expr]:
-    if isinstance(value, TREES):
-        yield value
-    for part in _parts(value):
-        yield from _trees(part)
-
-
 def _vectors(value: Any) -> Iterator[Entries]:
     """Rows of formulas, and columns of one."""
-    if isinstance(value, Matrix):
-        yield from value.rows
-        yield from zip(*value.rows, strict=True)
-    elif isinstance(value, tuple | list) and value and all(isinstance(each, TREES) for each in value):
-        yield tuple(map(_plain, value))
-    for part in _parts(value):
-        yield from _vectors(part)
-
-
-def _parts(value: Any) -> Iterable[Any]:
-    match value:
-        case Phrase() | str() | bytes() | type():
-            return ()
-        case _ if isinstance(value, TREES):
-            return (value.value,) if isinstance(value, Measured) else ()
-        case Mapping():
-            return (*value.keys(), *value.values())
-        case BaseModel():
-            return (each for _, each in value)
-        case _ if is_dataclass(value):
-            return (getattr(value, each.name) for each in fields(value))
-    return value if isinstance(value, Iterable) else ()
+    for part in every(value):
+        if isinstance(part, Matrix):
+            yield from part.rows
+            yield from zip(*part.rows, strict=True)
+        elif isinstance(part, tuple | list) and part and all(isinstance(each, TREES) for each in part):
+            yield tuple(map(_plain, part))

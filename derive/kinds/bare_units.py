@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import fields, is_dataclass
 from typing import Any, get_args
 
 from derive.derivation import Derivation
-from derive.expression import Expr, Number, walk
+from derive.expression import (
+    Expr,
+    Number,
+    every,
+    walk,
+)
 from derive.kinds.problem import Problem
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.mechanics.fitting import PointPairs
@@ -52,9 +56,6 @@ def _lines(answers: Iterable[Derivation]) -> tuple[tuple[Expr, ...], ...]:
 
 def _units(value: Any) -> Iterator[str]:
     """Those of all numbers in a record."""
-    if isinstance(value, TREES):
-        yield from (node.unit for node in walk(value) if isinstance(node, Number))
-    elif isinstance(value, tuple):
-        yield from (unit for each in value for unit in _units(each))
-    elif is_dataclass(value):
-        yield from (unit for field in fields(value) for unit in _units(getattr(value, field.name)))
+    for part in every(value):
+        if isinstance(part, TREES):
+            yield from (node.unit for node in walk(part) if isinstance(node, Number))

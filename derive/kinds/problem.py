@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Literal, get_args
 
@@ -16,7 +16,18 @@ from derive.algebra.readable.form import readable, readable_matrix
 from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
-from derive.expression import PI, Degrees, Expr, Indexed, Matrix, Number, Symbol, free_symbols, walk
+from derive.expression import (
+    PI,
+    Degrees,
+    Expr,
+    Indexed,
+    Matrix,
+    Number,
+    Symbol,
+    every,
+    free_symbols,
+    walk,
+)
 from derive.kinds.declared import with_all_claims
 from derive.kinds.registry import load
 from derive.kinds.told import with_results_told
@@ -173,15 +184,4 @@ class Problem:
 
 def expressions(value: Any) -> Iterator[Expr]:
     """Every tree inside a frozen subject."""
-    return (part for part in parts(value) if isinstance(part, TREES))
-
-
-def parts(value: Any) -> Iterator[Any]:
-    """Every value inside a frozen subject, trees whole."""
-    yield value
-    if isinstance(value, tuple):
-        for part in value:
-            yield from parts(part)
-    elif is_dataclass(value) and not isinstance(value, TREES):
-        for each in fields(value):
-            yield from parts(getattr(value, each.name))
+    return (part for part in every(value) if isinstance(part, TREES))

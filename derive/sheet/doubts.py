@@ -10,8 +10,17 @@ from derive.algebra.formulas.likely_mistakes import doubtful_angle
 from derive.algebra.formulas.tokens import tokens
 from derive.algebra.formulas.units import ANY
 from derive.errors import FormulaError, SheetError
-from derive.expression import Call, Expr, Number, Product, Symbol, terms_of, walk
-from derive.kinds.problem import expressions, parts
+from derive.expression import (
+    Call,
+    Expr,
+    Number,
+    Product,
+    Symbol,
+    every,
+    terms_of,
+    walk,
+)
+from derive.kinds.problem import expressions
 from derive.mechanics.lagrangian import MovingBody
 from derive.mechanics.motion import Move
 from derive.mechanics.robot import DHRow, ScrewRow
@@ -38,7 +47,7 @@ def doubts_about(values: At, key: str, angles: frozenset[str]) -> Iterator[Sheet
 
 def angles_of(subject: Any) -> frozenset[str]:
     """The names that are angles in a subject: those turned by, and those inside sines and cosines."""
-    turned = [tree for part in parts(subject) for tree in _turned(part)]
+    turned = [tree for part in every(subject) for tree in _turned(part)]
     inside = [
         argument
         for tree in expressions(subject)

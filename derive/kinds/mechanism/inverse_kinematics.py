@@ -24,6 +24,7 @@ from derive.names import free
 NEEDS = ("motors",)
 CLAIMS = ("legs-close|lengths-measured",)
 CLAIMED = {"solutions": "legs-close"}
+INTRODUCED = "[xyz]"  # where the platform is
 
 
 class Options(OptionsModel):

@@ -31,6 +31,19 @@ def meant(factors: Factors, whole: Symbol, at: Point) -> Names:
     return {**names, whole: made(factors.moves, at)[:size, :size]}
 
 
+def axes_told(factors: Factors) -> bool:
+    """Whether each factor is called by its axis: x, y or z by its letter, another by a name with a line."""
+    return all(
+        factor.name.lower[0] == factor.axis
+        and (
+            factor.axis.name == factor.move.axis
+            if isinstance(factor.move.axis, str)
+            else factor.axis in factors.work.known
+        )
+        for factor in factors.factors
+    )
+
+
 def order_told(factors: Factors, reason: Phrase | None) -> bool:
     """Whether the axes of the moves after the first are taken as it is told."""
     taken = {move.about for move in factors.moves[1:]}

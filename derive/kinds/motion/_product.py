@@ -14,7 +14,7 @@ from derive.expression import Call, Expr, Matrix, Symbol, column, free_symbols, 
 from derive.kinds.checks import is_rotation, law
 from derive.kinds.meanings import Chain, as_told
 from derive.kinds.motion._factors import Factors, factors_of, product_of, rounded_matrix, value_of
-from derive.kinds.motion._meanings import meant, order_chains, order_told, placed_chains
+from derive.kinds.motion._meanings import axes_told, meant, order_chains, order_told, placed_chains
 from derive.kinds.pose._numbers import along
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -61,7 +61,8 @@ def composed(kind: str, motion: Motion, problem: Problem, size: Literal[3, 4], e
     orders = (*placed_chains(factors, facts.placed), *order_chains(factors, facts.reason, name))
     chains = (*orders, *_single(factors, facts))
     work = as_told(work, partial(meant, factors, name), chains)
-    work = work.law("said", (order_told(factors, facts.reason), bool(facts.placed) == (facts.reason is None)))
+    told_so = order_told(factors, facts.reason), bool(facts.placed) == (facts.reason is None)
+    work = work.law("said", (axes_told(factors), *told_so))
     results: dict[str, Result] = {name.name: exact, **parts}
     evaluated: dict[str, Any] = {}
     if numeric:  # the page shows them so already
