@@ -13,6 +13,8 @@ WHOLE = (*get_args(Expr), str, bytes, int, float, type)
 
 def held(value: Any) -> tuple[Any, ...]:
     """The values directly inside, in order, those of a mapping with their keys before them."""
+    if isinstance(value, tuple):  # what most are, first: the others take long to tell
+        return value
     if isinstance(value, WHOLE):
         return ()
     if isinstance(value, Mapping):

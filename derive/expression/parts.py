@@ -103,11 +103,16 @@ def unmeasured(expr: Expr) -> Expr:
 
 
 def replace(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:
-    """The tree with each node that is a key of `values` replaced, outermost first."""
+    """The tree with each node that is a key of `values` replaced, outermost first. Parts that were one object
+    are one object again."""
     kinds = {*map(type, values)}  # nothing else is looked up: the hash of a sum is that of all in it
+    done: dict[int, Expr] = {}
 
     def put(node: Expr) -> Expr:
-        return values[node] if type(node) in kinds and node in values else rebuild(node, put)
+        if id(node) not in done:
+            is_key = type(node) in kinds and node in values
+            done[id(node)] = values[node] if is_key else rebuild(node, put)
+        return done[id(node)]
 
     return put(expr)
 

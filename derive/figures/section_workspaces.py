@@ -21,11 +21,9 @@ Place = tuple[float, float]
 
 def covered(covering: Covering, told: Mapping[str, float], unit: str) -> Plot:
     """The section with the number of configurations that reach each part."""
-    counts = sorted({int(each) for each in covering.counts.ravel() if each > 0})
     regions: dict[Label, Curve] = {
         Phrase("so-many", {"count": count}): _filled(covering, covering.counts == count)
-        for count in counts
-        if (covering.counts == count).sum() > covering.counts.size / 1000
+        for count in sorted({count for count, _ in covering.regions if count > 0})
     }
     return _in_section({}, regions, told, unit)
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 CELLS = 240  # of a side of a frame
 THIN, SLIM = 8.0, 100.0  # times as long as wide, from which on cells are too, and up to which
 ROOM = 3  # cells around what is covered
+SMALLEST = 12  # cells of a region that is told of
 BETWEEN = 6  # places that are looked at on the way from one value to the next
 
 
@@ -84,9 +85,10 @@ class Covering:
                 found[i, j] = True
         return found
 
-    def regions(self) -> Iterator[tuple[int, Array]]:
-        """Connected cells with one count, and that count; the largest first. What is covered may be narrower
-        than a cell where it comes to the axis: no way leads out of a void there."""
+    @cached_property
+    def regions(self) -> tuple[tuple[int, Array], ...]:
+        """Connected cells with one count, and that count, none too few of them; the largest first. What is
+        covered may be narrower than a cell where it comes to the axis: no way leads out of a void there."""
         import numpy as np
 
         left = (self.counts > 0) | ((self.counts == 0) & ~self.met)
@@ -95,8 +97,9 @@ class Covering:
             start = np.unravel_index(int(left.argmax()), left.shape)
             part = _grown(start, left & (self.counts == self.counts[start]))
             left &= ~part
-            found.append((int(self.counts[start]), part))
-        return iter(sorted(found, key=lambda each: -int(each[1].sum())))
+            if int(part.sum()) >= SMALLEST:
+                found.append((int(self.counts[start]), part))
+        return tuple(sorted(found, key=lambda each: -int(each[1].sum())))
 
     def innermost(self, part: Array) -> tuple[float, float]:
         """The middle of the cell of a region that is furthest from what is not of it."""

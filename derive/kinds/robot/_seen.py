@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ from derive.kinds.checks import random_points, route
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.mechanics.chain import Chain
+from derive.mechanics.oracle.sweep import cross
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -57,9 +59,7 @@ def meeting(motions: Sequence[Array]) -> Array:
 
 def apart(z: Array, d: Array) -> float:
     """How far d points away from a direction."""
-    import numpy as np
-
-    return float(np.linalg.norm(np.cross(z, d)))
+    return math.hypot(*cross(z, d))
 
 
 def sorts(problem: Problem, J: Matrix, joints: Sequence[int], said: Sequence[Phrase | None]) -> Claim:

@@ -122,14 +122,49 @@ class Oracle:
         def pose(at: Point) -> Array:
             """That of the frame (3 by 4), moved on to the point."""
             T = self.tool(at) if frame > len(self.robot.links) else self.poses(at)[frame]
-            there = [self.value(x, at) if isinstance(x, TREES) else x for x in offset]
-            return np.column_stack([T[:3, :3], T[:3, :3] @ there + T[:3, 3]])
+            return T[:3] @ self._shifted(offset, at)
 
         R, columns = pose(point)[:, :3], []
+        after = self._after(point, frame, offset)
         for name in self.robot.variables:
-            rate = slope(pose, point, {name: 1.0})
+            i = self._row_of(name, offset)
+            rate = slope(pose, point, {name: 1.0}) if i is None else self._rate(i, name, point, after)
             columns.append([*rate[:, 3], *vee(rate[:, :3] @ R.T)])
         return np.array(columns).T
+
+    def _shifted(self, offset: Sequence[float | Expr], at: Point) -> Array:
+        """A pose (4 by 4) at a point of a frame, turned as the frame is."""
+        import numpy as np
+
+        there = np.array([self.value(x, at) if isinstance(x, TREES) else x for x in offset])
+        T = np.eye(4, dtype=there.dtype if there.dtype == object else float)
+        T[:3, 3] = there
+        return T
+
+    def _row_of(self, name: str, offset: Sequence[float | Expr]) -> int | None:
+        """The row, from 0, that a variable moves; None where it moves anything else too."""
+        others = (self.robot.base, self.robot.tool, self.robot.home, tuple(offset))
+        rows = [i for i, names in enumerate(self.named) if name in names]
+        return rows[0] if len(rows) == 1 and name not in _names_in(others) else None
+
+    def _after(self, point: Point, frame: int, offset: Sequence[float | Expr]) -> list[Array]:
+        """The motion from behind each row up to a point of a frame, or of the tool (n+1)."""
+        count = len(self.robot.links)
+        end = self._shifted(offset, point)
+        found = [self.in_hand(point) @ end if frame > count else end]
+        for i in reversed(range(1, min(frame, count))):
+            found.append(self._row(i, point) @ found[-1])
+        return found[::-1]
+
+    def _rate(self, i: int, name: str, point: Point, after: Sequence[Array]) -> Array:
+        """How fast a pose (3 by 4) changes with a variable that moves row i alone, by central differences."""
+        import numpy as np
+
+        if i >= len(after):
+            return np.zeros((3, 4))
+        rate = slope(lambda at: self._row(i, at), point, {name: 1.0})
+        whole: Array = self.poses(point)[i] @ rate @ after[i]
+        return whole[:3]
 
     def axes(self, point: Point) -> list[Axis | None]:
         """Those of the joints in the frames before them, None of a fixed row; where each variable moves its

@@ -8,6 +8,7 @@ from derive.algebra.numbers.floats import Point
 from derive.mechanics.oracle.values import Array
 
 TERMS = 60  # of the exponential series; far more than angles of a few radians need
+NOTHING = 1e-20  # that a term adds, and all after it
 STEP = 1e-6  # of differences; their error is about 1e-10
 
 
@@ -35,4 +36,6 @@ def exponential(X: Array) -> Array:
     for k in range(1, TERMS):
         term = term @ X / k
         total = total + term
+        if np.abs(term).max() < NOTHING:
+            break
     return total

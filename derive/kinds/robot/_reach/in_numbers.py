@@ -16,6 +16,7 @@ from derive.kinds.robot._point import Tracked
 from derive.kinds.robot._reach.shapes import Shape
 from derive.kinds.robot._seen import axis_seen, motion
 from derive.mechanics.chain import Chain
+from derive.mechanics.oracle.poses import crossing
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -25,7 +26,8 @@ if TYPE_CHECKING:
 
 Values = dict[str, float]
 Limits = tuple[float, float]
-EACH = {1: 2001, 2: 301, 3: 61, 4: 21, 5: 11, 6: 7, 7: 5}  # values of a joint, by their number
+EACH = {1: 2001, 2: 201, 3: 41, 4: 17, 5: 11, 6: 7, 7: 5}  # values of a joint, by their number
+DRAWN = 60_000
 FAR = 12.0  # where a slide has no end
 SMALL = 1e-6
 
@@ -103,6 +105,15 @@ class InNumbers:
             places = spread.reshape(-1, 3)
         return places
 
+    @cached_property
+    def anywhere(self) -> Array:
+        """Where the point is (N by 3) at values of the joints drawn at random, which leave fewer gaps than a
+        grid of as many where joints are several."""
+        import numpy as np
+
+        draw = np.random.default_rng(0)
+        return self.moved({row: draw.uniform(*self.limits[row], DRAWN) for row in self.shape.rows})
+
     def moved(self, values: Mapping[int, Array]) -> Array:
         """Where the point is (N by 3) with the joints of these rows at N values each, the others as they
         are."""
@@ -136,7 +147,7 @@ def _rotations(z: Array, by: Array) -> Array:
     """About z (k by 3 by 3, Rodrigues)."""
     import numpy as np
 
-    S = np.cross(np.eye(3), z)  # S p = z x p
+    S = crossing(z)
     return np.array(np.eye(3) + np.sin(by)[:, None, None] * S + (1 - np.cos(by))[:, None, None] * (S @ S))
 
 
@@ -145,4 +156,4 @@ def _turned(away: Array, z: Array, by: Array) -> Array:
     import numpy as np
 
     c, s = np.cos(by)[:, None], np.sin(by)[:, None]
-    return np.array(away * c + np.cross(z, away) * s + (away @ z)[:, None] * (1 - c) * z)
+    return np.array(away * c + away @ crossing(z).T * s + (away @ z)[:, None] * (1 - c) * z)

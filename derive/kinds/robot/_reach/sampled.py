@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 TRIES, POINTS, RADII = 200, 2, 60
 CELLS = {1: 40, 2: 24, 3: 9}  # of the bounding box in each direction, by its dimensions
-FINE = {1: 10_000, 2: 700, 3: 90}  # the same, for its size
+FINE = {1: 10_000, 2: 400, 3: 50}  # the same, for its size
 NEAR = 4.0  # up to where an endless workspace is looked at
 APART = 0.25  # the ends of a range that is drawn; typed ones are taken as they are
 CLOSE = {1: 1e-3, 2: 4e-3, 3: 4e-3}  # relative: of a size by that
@@ -163,7 +163,7 @@ class Sampled(Inside):
         low, wide = low - room, high - low + 2 * room
         cells = np.stack(np.meshgrid(*[np.arange(FINE[k])] * k, indexing="ij"), -1).reshape(-1, k)
         somewhere = (cells + np.random.default_rng(0).random(cells.shape)) / FINE[k]
-        share = float(self.holds(self._placed(low + wide * somewhere), 0.0).mean())
+        share = float(self.holds(self._placed(low + wide * somewhere), SMALL).mean())  # no looseness
         return close(share * float(np.prod(wide)) / told, 1.0, CLOSE[k])
 
     def _placed(self, seen: Array) -> Array:

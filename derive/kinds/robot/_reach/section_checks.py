@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-GRID, FEWER = 401, 81  # values of each of two joints, and of each of more
+GRID, FEWER = 241, 61  # values of each of two joints, and of each of more
 BEYOND, NEAR, TO_AXIS = 1e-7, 1e-3, 1e-2  # of the size: how far a grid may pass an extreme, or miss it
 TOLERANCE, APART, STEPS = 1e-8, 1e-4, 30
 COARSE = 48
@@ -90,7 +90,8 @@ class SectionSeen:
         for k, low, high in ends:
             values = self.reached[k]
             least, most = float(values.min()), float(values.max())
-            near = TO_AXIS if told[low] == 0 else NEAR  # where a sheet meets the axis distances grow at once
+            # where a sheet meets the axis, or nearly, distances grow at once
+            near = TO_AXIS if told[low] < TO_AXIS * size and low == "r_min" else NEAR
             yield told[low] - BEYOND * size <= least <= told[low] + coarse * near * size
             yield told[high] - coarse * NEAR * size <= most <= told[high] + BEYOND * size
 
@@ -303,7 +304,8 @@ def _is_within(curve: Curve, sample: Sample) -> bool:
 
 
 def fills(curve: Curve, x: Array, y: Array) -> Iterator[bool]:
-    """Whether an outline encloses what places cover: as much, and nearly all of them."""
+    """Whether an outline encloses what places cover, up to cells at its border that have none: as much, and
+    nearly all of them."""
     import numpy as np
 
     u, v = (np.array(each) for each in curve)
@@ -312,7 +314,7 @@ def fills(curve: Curve, x: Array, y: Array) -> Iterator[bool]:
     cells = np.zeros((SQUARES + 1, SQUARES + 1), dtype=bool)
     cells[((x - x.min()) / size).astype(int), ((y - y.min()) / size).astype(int)] = True
     edges = sum(int((a != b).sum()) for a, b in ((cells[1:], cells[:-1]), (cells[:, 1:], cells[:, :-1])))
-    yield abs(float(cells.sum()) - edges / 2 - area / size**2) <= edges / 2
+    yield float(cells.sum()) - edges <= area / size**2 <= float(cells.sum()) + edges / 2
     some = np.random.default_rng(0).integers(0, x.size, THROWN)
     inside = [_is_within(curve, Sample(float(x[k]), float(y[k]), 1)) for k in some]
     yield float(np.mean(inside)) > MOSTLY

@@ -13,6 +13,7 @@ from derive.expression import Expr
 from derive.kinds.robot._point import Tracked
 from derive.mechanics.chain import Chain
 from derive.mechanics.covering import Covering
+from derive.mechanics.oracle.poses import crossing
 from derive.mechanics.section import Section
 
 if TYPE_CHECKING:
@@ -22,9 +23,8 @@ if TYPE_CHECKING:
 
 GRID = 288  # values of each of two joints
 MANY = 100  # of each of more
-WINDOW, NARROWER, STEPS = 4, 3.0, 40
+WINDOW, NARROWER, STEPS = 4, 2.0, 80
 NOTHING = 1e-9  # of the size, what is no distance
-SMALLEST = 12  # cells of a region that is looked at
 Limits = tuple[float, float]
 
 
@@ -87,7 +87,7 @@ class Swept:
                 p = p + value[..., None] * w
                 continue
             away, c, s = p - o, np.cos(value)[..., None], np.sin(value)[..., None]
-            p = o + away * c + np.cross(w, away) * s + (away @ w)[..., None] * (1 - c) * w
+            p = o + away * c + away @ crossing(w).T * s + (away @ w)[..., None] * (1 - c) * w
         w, o = self.axis
         height = p @ w
         flat = p - o
@@ -132,7 +132,9 @@ class Swept:
             values = sign * self.place(*near)[which]
             best = np.unravel_index(int(values.argmax()), values.shape)
             here = [float(each[best]) for each in near]
-            width = [w / NARROWER for w in width]
+            ways_on = zip(best, here, self.limits, strict=True)
+            if not any(k in (0, 2 * WINDOW) and low < x < high for k, x, (low, high) in ways_on):
+                width = [w / NARROWER for w in width]
         found = float(self.place(*map(np.array, here))[which])
         return 0.0 if abs(found) < NOTHING * self.size else found
 
@@ -146,9 +148,9 @@ class Swept:
         """One well inside the largest region of each number of configurations, and in the largest void that
         is closed in."""
         found: dict[int, Sample] = {}
-        for count, part in self.covering.regions():
+        for count, part in self.covering.regions:
             is_open = part[-1].any() or part[:, 0].any() or part[:, -1].any()
-            if int(part.sum()) >= SMALLEST and not (count == 0 and is_open):
+            if not (count == 0 and is_open):
                 found.setdefault(count, Sample(*self.covering.innermost(part), count))
         return sorted(found.values(), key=lambda each: each.count)
 

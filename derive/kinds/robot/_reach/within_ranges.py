@@ -87,6 +87,8 @@ class WithinRanges:
     turn: Limits | None
 
     def derivation(self) -> Derivation:
+        import numpy as np
+
         told = {"r_max": self.arm.extreme(0, 1), "r_min": self.arm.extreme(0, -1)}
         square = self.problem.readable(self.section.square)
         line = (R ** number_tree(2), square)
@@ -112,7 +114,7 @@ class WithinRanges:
         )
         work = work.claim(*self._claims(facts, told))
         for plot in plots:
-            places = self._seen.arm.places
+            places = np.concatenate([self._seen.arm.places, self._seen.arm.anywhere])
             (curve,) = plot.regions.values()
             work = work.claim(route("section-drawn", fills(curve, places[:, 0], places[:, 1])))
         units = dict.fromkeys((R, R_MAX, R_MIN), unit) if unit else {}
