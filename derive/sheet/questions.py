@@ -19,7 +19,7 @@ from derive.sheet.honoured import idle_options
 from derive.sheet.model import Question
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
-from derive.sheet.where import cycle
+from derive.sheet.where import contradictions, cycle
 
 MANY = 12  # kinds, which are not listed in a hint
 
@@ -95,6 +95,13 @@ def _read(
     if given and isinstance(given.evaluate, dict) and (name := cycle({**known.where, **given.evaluate})):
         hint = "give it a value, or one in other symbols"
         faults.append(at.fault(f"the value of {name} leads back to itself", ("evaluate", name), hint))
+    elif given and isinstance(given.evaluate, dict):
+        put_in = {**known.where, **given.evaluate}
+        for name, assumed in sorted(contradictions(put_in, known.assumptions)):
+            hint = "change its value, or what is said of it under symbols:"
+            message = f"{name} is {assumed} by symbols, and its value is not"
+            route = ("evaluate", name) if name in given.evaluate else ("evaluate",)
+            faults.append(at.fault(message, route, hint))
     if faults or given is None or kind is None:
         raise SheetErrors(faults)
     evaluate = {} if given.evaluate == "true" else given.evaluate

@@ -147,7 +147,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.claim(
         reached.is_called(called, facts.arm), *_as_drawn(plots, (r_max, r_min), problem, options)
     )
-    if facts.orientations.key == "too-few-joints":
+    if facts.orientations.key in ("too-few-joints", "no-wrist"):
         work = work.claim(orientations_held(problem, found, point, facts.orientations))
     results = {"r_min": r_min, "r_max": r_max, "description": called}
     return work.answer("workspace", results, facts, plots=plots)
@@ -200,6 +200,7 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
     orientations = shape_orientations(
         shape, spare, bool(turning) and turns_freely(found, turning, loose, planar), planar
     )
+    orientations = TurningAbout(problem, found, point).told(orientations)
     everywhere = None
     if orientations.key in LAST_LINK:
         everywhere = rings_within(problem, shape.far_start, shape.link, shape.gap or ZERO)
@@ -299,7 +300,9 @@ def _facts(
         closed=closed_where(region),
         nearer=None if region.side == ZERO else Phrase("not-nearer", {"side": region.side}),
         kinds=_kinds(planar, region.slides),
-        orientations=orientations_told(region, closed, spare, free, inner),
+        orientations=TurningAbout(problem, found, point).told(
+            orientations_told(region, closed, spare, free, inner)
+        ),
         plots=tuple(plot.name for plot in plots),
         limits=Phrase("without-limits"),
         numbers=("r_min", "r_max"),

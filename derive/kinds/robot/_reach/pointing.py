@@ -52,7 +52,7 @@ class Still:
         low, high = self.cosines(*rows) if len(rows) == 2 else (None, None)
         facts = Facts(
             kinds=Phrase("kinds"),
-            orientations=orientations_in_space(self.chain, self.point, ()),
+            orientations=orientations_in_space(self.problem, self.chain, self.point, ()),
             description=description,
             pointing=Pointing(said=self._said(axis, low, high)),
         )

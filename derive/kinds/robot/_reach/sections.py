@@ -58,12 +58,12 @@ def in_floats(value: float) -> Expr:
     return Approximate(value) if value else ZERO
 
 
-def orientations_in_space(chain: Chain, point: Tracked, moving: Sequence[int]) -> Phrase:
+def orientations_in_space(problem: Problem, chain: Chain, point: Tracked, moving: Sequence[int]) -> Phrase:
     """Whether the joints that do not move the point turn the end-effector as one likes."""
     spare = tuple(i for i, _ in chain.moving if i not in moving and i <= point.last)
     if turns_freely(chain, moving, spare, False):
         return Phrase("both-the-same-by-one" if len(spare) == 1 else "both-the-same", {"spare": spare})
-    return Phrase("too-few-joints" if spare else "no-freedom-left")
+    return TurningAbout(problem, chain, point).told(Phrase("too-few-joints" if spare else "no-freedom-left"))
 
 
 def seen_in_numbers(
@@ -77,7 +77,7 @@ def seen_in_numbers(
 def orientations_held(problem: Problem, chain: Chain, point: Tracked, said: Phrase) -> Claim:
     """Whether the end-effector turns about the point as it is said."""
     turning = TurningAbout(problem, chain, point)
-    free_ = said.key in ("both-the-same", "both-the-same-by-one")
+    free_ = said.key in ("both-the-same", "both-the-same-by-one", "orientations-open")
     return route("orientations", (free_ == (turning.freedom(at) == 3) for at in turning.points))
 
 
@@ -169,7 +169,7 @@ class InSectionOf:
         description = self._called(told, samples)
         facts = Facts(
             kinds=Phrase("kinds"),
-            orientations=orientations_in_space(self.chain, self.point, self.rows),
+            orientations=orientations_in_space(self.problem, self.chain, self.point, self.rows),
             description=description,
             limits=self._limits(),
             plots=tuple(plot.name for plot in plots),

@@ -65,7 +65,7 @@ class OnTwoAxes:
         }
         facts = Facts(
             kinds=Phrase("kinds"),
-            orientations=orientations_in_space(self.chain, self.point, self.rows),
+            orientations=orientations_in_space(self.problem, self.chain, self.point, self.rows),
             description=description,
             limits=Phrase("without-limits"),
             shoulder=(Symbol("o_s"), self.problem.readable_matrix(self.sphere.center)),

@@ -10,6 +10,7 @@ from math import pi
 from typing import Any
 
 from derive.algebra.numbers import floats as numeric
+from derive.derivation import Phrase
 from derive.expression import Approximate, Expr
 from derive.kinds.checks import random_points
 from derive.kinds.problem import Problem
@@ -39,6 +40,13 @@ class TurningAbout:
     def points(self) -> Iterator[Values]:
         oracle = oracle_of(self.problem)
         return (dict(oracle.at(at)) for at in random_points(self.problem.symbols, POINTS))
+
+    def told(self, said: Phrase) -> Phrase:
+        """What is said of orientations. Of an arm that turns in every way without a wrist as it should be it
+        is not known: another elbow may make up for what its wrist leaves out."""
+        missing = said.key in ("no-wrist", "too-few-joints")
+        is_free = missing and any(self.freedom(at) == 3 for at in self.points)
+        return Phrase("orientations-open") if is_free else said
 
     def freedom(self, at: Values, in_a_plane: bool = False) -> int:
         """In how many independent ways it turns while the point stays, or in the plane that it moves in."""

@@ -65,7 +65,7 @@ class WhereItIsReal:
         results["description"] = description
         facts = Facts(
             kinds=Phrase("kinds"),
-            orientations=orientations_in_space(self.chain, self.point, self.rows),
+            orientations=orientations_in_space(self.problem, self.chain, self.point, self.rows),
             description=description,
             limits=Phrase("slides-without-limits"),
             numbers=(),

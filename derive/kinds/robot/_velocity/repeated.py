@@ -143,7 +143,8 @@ class Repeated:
         if self.step is not None:
             return close(dq, self.step * down, NEAR)
         length, slope, moved = np.linalg.norm(dq), np.linalg.norm(down), J @ dq
-        along = min(length, slope) > 0 and close(dq / length, down / slope, NEAR)
+        near = NEAR + ROUNDING / float(np.linalg.norm(e) or ROUNDING)
+        along = min(length, slope) > 0 and close(dq / length, down / slope, near)
         most = NEAR * float(moved @ moved) + ROUNDING * length
         return bool(along and abs((e - moved) @ moved) <= most)
 
@@ -173,7 +174,7 @@ def _nearest(J: NDArray[Any], e: NDArray[Any], dq: NDArray[Any]) -> bool:
     """Whether J dq = e, or as near to it as it comes, and dq has no part that moves nothing."""
     import numpy as np
 
-    most = NEAR * float(np.linalg.norm(J) * np.linalg.norm(dq) + np.linalg.norm(e))
+    most = NEAR * float(np.linalg.norm(J) * np.linalg.norm(dq) + np.linalg.norm(e)) + ROUNDING
     left, (m, n) = J @ dq - e, J.shape
     if m > n:
         left, most = J.T @ left, most * float(np.linalg.norm(J))
