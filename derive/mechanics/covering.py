@@ -22,10 +22,12 @@ BETWEEN = 6  # places that are looked at on the way from one value to the next
 
 @dataclass(frozen=True)
 class Covering:
-    """The image (x, y: n by m each) of a grid; x is never below zero."""
+    """The image (x, y: n by m each) of a grid; x is never below zero. `beside` are places (x, y) on the way
+    to the axis, where lines between those of the grid miss it."""
 
     x: Array
     y: Array
+    beside: tuple[Array, Array] | None = None
 
     @cached_property
     def size(self) -> tuple[float, float]:
@@ -68,8 +70,10 @@ class Covering:
     @property
     def _cells(self) -> Iterator[Array]:
         """x and y in cells from the corner."""
-        frame = zip((self.x, self.y), self.corner, self.size, strict=True)
-        return ((each - low) / size for each, low, size in frame)
+        return self._in_cells(self.x, self.y)
+
+    def _in_cells(self, *places: Array) -> Iterator[Array]:
+        return ((each - low) / size for each, low, size in zip(places, self.corner, self.size, strict=True))
 
     @cached_property
     def met(self) -> Array:
@@ -83,6 +87,9 @@ class Covering:
                 share = k / BETWEEN
                 i, j = ((each[one] + share * (each[other] - each[one])).astype(int) for each in (x, y))
                 found[i, j] = True
+        if self.beside:
+            i, j = (each.astype(int) for each in self._in_cells(*self.beside))
+            found[i, j] = True
         return found
 
     @cached_property

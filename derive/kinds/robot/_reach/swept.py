@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 GRID = 288  # values of each of two joints
 MANY = 100  # of each of more
 WINDOW, NARROWER, STEPS = 4, 2.0, 80
+TIP, MOST_TIPS, AROUND = 0.02, 12, 61  # of the size: how near to the axis; and values of each joint there
 NOTHING = 1e-9  # of the size, what is no distance
 Limits = tuple[float, float]
 
@@ -112,7 +113,28 @@ class Swept:
     @cached_property
     def covering(self) -> Covering:
         """What two joints cover."""
-        return Covering(*self.place(*self.grid))
+        return Covering(*self.place(*self.grid), self._beside)
+
+    @property
+    def _beside(self) -> tuple[Array, Array] | None:
+        """Places around those at which the point comes to the axis, or near, which a grid has none of."""
+        import numpy as np
+
+        rho, _ = self.place(*self.grid)
+        around = np.pad(rho, 1, constant_values=np.inf)
+        n, m = rho.shape
+        least = np.min([around[i : i + n, j : j + m] for i in range(3) for j in range(3)], axis=0)
+        tips = np.argwhere((rho == least) & (rho < TIP * self.size))[:MOST_TIPS]
+        step = [(high - low) / GRID for low, high in self.limits]
+        fine = np.linspace(-1.0, 1.0, AROUND)
+        found = []
+        for tip in tips:
+            here = self._refined(0, -1, [float(each[tuple(tip)]) for each in self.grid], step)
+            axes = [
+                np.clip(q + width * fine, *own) for q, width, own in zip(here, step, self.limits, strict=True)
+            ]
+            found.append(self.place(*np.meshgrid(*axes, indexing="ij")))
+        return (np.stack([x for x, _ in found]), np.stack([y for _, y in found])) if found else None
 
     def extreme(self, which: int, sign: int) -> float:
         """The largest (1) or the smallest (-1) value of rho (0) or z (1), by ever finer grids."""
@@ -120,8 +142,15 @@ class Swept:
 
         values = sign * self.place(*self.grid)[which]
         best = np.unravel_index(int(values.argmax()), values.shape)
-        here = [float(each[best]) for each in self.grid]
-        width = [(high - low) / MANY for low, high in self.limits]
+        start = [float(each[best]) for each in self.grid]
+        here = self._refined(which, sign, start, [(high - low) / MANY for low, high in self.limits])
+        found = float(self.place(*map(np.array, here))[which])
+        return 0.0 if abs(found) < NOTHING * self.size else found
+
+    def _refined(self, which: int, sign: int, here: list[float], width: list[float]) -> list[float]:
+        """The values of the joints at the extreme that is so near."""
+        import numpy as np
+
         offsets = np.linspace(-1.0, 1.0, 2 * WINDOW + 1)
         for _ in range(STEPS):
             axes = [
@@ -135,8 +164,7 @@ class Swept:
             ways_on = zip(best, here, self.limits, strict=True)
             if not any(k in (0, 2 * WINDOW) and low < x < high for k, x, (low, high) in ways_on):
                 width = [w / NARROWER for w in width]
-        found = float(self.place(*map(np.array, here))[which])
-        return 0.0 if abs(found) < NOTHING * self.size else found
+        return here
 
     @cached_property
     def size(self) -> float:
