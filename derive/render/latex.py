@@ -193,7 +193,7 @@ class Printer:
         above = self.write(top)
         below, tightness = self.measured(bottom)
         if self.flat and "frac" not in above + below:
-            loose = self.measured(top)[1] < PRODUCT and not above.startswith("-")
+            loose = self.measured(top)[1] < PRODUCT and (isinstance(top, Sum) or not above.startswith("-"))
             over = parenthesised(above) if loose else above
             return f"{over}/{below if tightness >= POWER else parenthesised(below)}", SUM
         match top:

@@ -44,7 +44,12 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if options.free:
         return held.derive(problem, options.free, given, options.evaluate)
     arm = two_link(chain)
-    if arm is not None and isinstance(given, tuple) and len(given) == 2:
+    if (
+        arm is not None
+        and isinstance(given, tuple)
+        and len(given) == 2
+        and triangle.has_triangle(arm, problem)
+    ):
         return triangle.derive(arm, chain, given, options.evaluate, problem)
     return open_chain.derive(chain, given, options.evaluate, problem)
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from dataclasses import replace as replaced
 from fractions import Fraction
 from functools import cached_property, reduce
+from itertools import pairwise
 from math import lcm
 from typing import get_args
 
@@ -47,6 +48,7 @@ class Roots:
     solved: Solved
     solutions: Solutions
     target: Target
+    square: bool  # whether a wrist makes every orientation: its axes are perpendicular, or there is none
 
     @staticmethod
     def of(plan: Plan, worked: Worked, solutions: Solutions, target: Target) -> Roots | None:
@@ -54,7 +56,7 @@ class Roots:
         if plan.quartic is None:
             return None
         number, found = plan.quartic
-        return Roots(found, worked.solved[number], solutions, target)
+        return Roots(found, worked.solved[number], solutions, target, _is_square(worked))
 
     @property
     def names(self) -> frozenset[str]:
@@ -130,7 +132,7 @@ class Roots:
     def claims(self, points: Sequence[Point], values: Evaluated) -> Iterator[Claim]:
         """At poses the arm reaches: every root is a solution, and every change of sign of the equation in the
         angle, before the half angle, belongs to a root; where none is real at a place, there is none."""
-        yield route("each-root", (each for point in points for each in self._reach(point)))
+        yield route("each-root" if self.square else "roots-that-reach", (each for point in points for each in self._reach(point)))
         tried = (*points, values.numbers.point) if values.numbers else points
         yield route("every-root", (each for point in tried for each in self._are_met(point)))
         printed = [each for point in points for each in self._is_printed(point)]
@@ -179,7 +181,7 @@ class Roots:
     def _reach(self, point: Point) -> Iterator[bool]:
         for root in self.at(point):
             there = [v for v in self.solutions.at({**point, self.found.root: root}) if v is not None]
-            yield bool(there)
+            yield bool(there) or not self.square
             yield from (self.target.reached(point, values) for values in there)
 
     def _are_met(self, point: Point) -> Iterator[bool]:
@@ -225,6 +227,12 @@ def _together(parts: tuple[Evaluated, ...], root: str, solutions: Solutions) -> 
         max((part.off for part in parts if part.off is not None), default=None),
         parts,
     )
+
+
+def _is_square(worked: Worked) -> bool:
+    chain, names = worked.chain, worked.spherical
+    axes = [chain.axis(i) for i, joint in chain.moving if joint.variable in names]
+    return all(not (one.T @ other)[0, 0] for one, other in pairwise(axes))
 
 
 def _product(one: Sequence[float], other: Sequence[float]) -> list[float]:

@@ -58,6 +58,12 @@ ELBOWS = {"elbow-down": 1, "elbow-up": -1}  # the sign of theta_2
 POINTS = 5
 
 
+def has_triangle(arm: TwoLink, problem: Problem) -> bool:
+    """Whether both lengths are, as far as they are known; a typed one may be negative."""
+    point = completed(values_of(problem.subject, problem.where)[0], problem.where)
+    return all(scalar_number(length, point) > 0 for length in (arm.a_1, arm.a_2))
+
+
 def derive(
     arm: TwoLink, chain: Chain, given: tuple[str, ...], place: Place | None, problem: Problem
 ) -> Derivation:
