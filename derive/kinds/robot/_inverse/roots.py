@@ -132,7 +132,8 @@ class Roots:
     def claims(self, points: Sequence[Point], values: Evaluated) -> Iterator[Claim]:
         """At poses the arm reaches: every root is a solution, and every change of sign of the equation in the
         angle, before the half angle, belongs to a root; where none is real at a place, there is none."""
-        yield route("each-root" if self.square else "roots-that-reach", (each for point in points for each in self._reach(point)))
+        key = "each-root" if self.square else "roots-that-reach"
+        yield route(key, (each for point in points for each in self._reach(point)))
         tried = (*points, values.numbers.point) if values.numbers else points
         yield route("every-root", (each for point in tried for each in self._are_met(point)))
         printed = [each for point in points for each in self._is_printed(point)]
