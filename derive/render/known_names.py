@@ -33,6 +33,8 @@ def named(formulas: Iterable[Printed], printed: list[Printed]) -> Iterator[dict[
         indices = {number for key, number in numbers.items() if key != "count"}
         if not all(any(number in name for name in meant.values()) for number in indices):
             raise NotAsWritten(f"{meant} have other indices than {numbers}")
+        if not all(name[0].isalpha() for name in meant.values()):
+            raise NotAsWritten(f"{meant} are no names")
         parts = {key: alone(Symbol(name), names[name], printed) for key, name in meant.items()}
         yield {"sort": sort, **parts, **numbers}
 
