@@ -49,6 +49,10 @@ sentences *options:
 tables *options:
     python3 -m tests.mutants tables {{options}}
 
+# Every exercise and example with other numbers, drawn by a seed: what is refused by a check of ours
+shaken *options:
+    python3 -m tests.shaken {{options}}
+
 # Rebuild the golden pages after a change that is meant; of some sheets: just golden -k week3
 golden *options:
     pytest tests/test_golden.py --update-golden {{options}}
