@@ -35,7 +35,7 @@ TOLERANCE, APART, STEPS = 1e-8, 1e-4, 30
 COARSE = 48
 SQUARES, THROWN, MOSTLY = 60, 200, 0.9
 COARSER = 5  # of grids with fewer values
-PLACES = 5  # with at most two or three numbers between them
+PLACES = 3  # of which two have one number, where there are two
 POINTS, TURN, SMALL = 2, 0.7, 1e-6
 
 
