@@ -54,6 +54,33 @@ robot:
     - {theta: q5*, d: 0, a: 0, alpha: 73.8 deg}
     - {theta: q6*, d: 0, a: 0, alpha: 0}
   find: workspace""",
+    "a void is closed where the arm comes to the axis": """
+robot:
+    links:
+    - {theta: theta1*, d: 0, a: 1 m, alpha: -90 deg}
+    - {theta: theta2*, d: -0.98 m, a: 2 m, alpha: 90 deg}
+    - {theta: theta3*, d: 0, a: 1.6 m, alpha: 0}
+  find: workspace""",
+    "the root of a square of cosines is positive": """
+robot:
+    links:
+    - {theta: theta1*, d: 0, a: 0, alpha: 58 deg}
+    - {theta: theta2*, d: 0, a: 0, alpha: -58 deg}
+    - {theta: theta3*, d: d6, a: 0, alpha: 0}
+  find: workspace""",
+    "a fraction in a line keeps its sum together": """
+robot:
+    links:
+    - {theta: theta1*, d: 0, a: 0, alpha: 101 deg}
+    - {theta: theta2*, d: 0, a: 0, alpha: -60 deg}
+    - {theta: theta3*, d: d6, a: 0, alpha: 0}
+  find: workspace""",
+    "a link of negative length has no triangle": """
+robot:
+    links:
+    - {theta: theta1*, d: 0, a: 0.45 m, alpha: 0}
+    - {theta: theta2*, d: 0, a: -0.39 m, alpha: 0}
+  find: inverse-kinematics""",
 }
 AT_THE_AXIS = """
 robot:

@@ -16,7 +16,7 @@ from operator import mul
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.multivariate import square_free
 from derive.algebra.rationals import as_fraction
-from derive.algebra.roots_and_functions import root
+from derive.algebra.roots_and_functions import absolute, root
 from derive.algebra.scalar import Scalar
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import motions_jacobian
@@ -117,11 +117,13 @@ def _fixed(chain: Chain, value: Scalar) -> bool:
 
 
 def size(square: Scalar) -> Scalar:
-    """The root of a square; lengths are taken as positive, so that of a^2 is a."""
+    """The root of a square; lengths are taken as positive, so that of a^2 is a. What is a number, cos(58 deg)
+    - 1, has its own sign."""
     if square.constant is not None or square.denominator is not None or not square:
         return root(square)
     content, factors = square_free(square.numerator)
     if any(power % 2 for _, power in factors):
         return root(square)
     front = root(Scalar.of(as_fraction(content)))
-    return reduce(mul, (Scalar(square.ring, part) ** (power // 2) for part, power in factors), front)
+    parts = ((Scalar(square.ring, part), power // 2) for part, power in factors)
+    return reduce(mul, ((each if each.letters() else absolute(each)) ** n for each, n in parts), front)
