@@ -185,7 +185,7 @@ class SectionSeen:
     def is_closed_in(self, sample: Sample) -> bool:
         """Whether no way leads from a place that is not reached out of what is."""
         size, low, _ = self.cells
-        return not self.outside[int(sample.rho / size), int((sample.z - low) / size) + 2]
+        return not self.outside[math.floor(sample.rho / size), math.floor((sample.z - low) / size) + 2]
 
     def has_void(self) -> bool:
         """Whether five cells across each other are neither reached nor open to the outside."""
