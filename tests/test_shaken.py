@@ -81,6 +81,15 @@ robot:
     - {theta: theta1*, d: 0, a: 0.45 m, alpha: 0}
     - {theta: theta2*, d: 0, a: -0.39 m, alpha: 0}
   find: inverse-kinematics""",
+    "numbers for some of the names, and sines that are no fractions": """
+robot:
+    links:
+    - {theta: q1*, d: 0, a: 0, alpha: -108 deg}
+    - {theta: 0, d: q2*, a: 0, alpha: 90 deg}
+    - {theta: q3*, d: 0, a: L, alpha: 0}
+  find: redundancy
+  rows: [vx, vy]
+  evaluate: {q1: 0, q3: 90 deg}""",
 }
 AT_THE_AXIS = """
 robot:

@@ -211,7 +211,7 @@ class Board:
 
     def pivot_rows(self, value: ScalarMatrix) -> tuple[int, ...]:
         """Independent rows, as many as there are, the first ones. Raises TooLong."""
-        if not self.rounded:
+        if not self.rounded or any(entry.letters() for entry in value.entries):
             return eliminated(value.T).pivots
         import numpy as np
 
