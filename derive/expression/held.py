@@ -14,7 +14,7 @@ WHOLE = (*get_args(Expr), str, bytes, int, float, type)
 def held(value: Any) -> tuple[Any, ...]:
     """The values directly inside, in order, those of a mapping with their keys before them."""
     if isinstance(value, tuple):  # what most are, first: the others take long to tell
-        return value
+        return () if value and isinstance(value[0], float) else value  # nothing is in the places of a curve
     if isinstance(value, WHOLE):
         return ()
     if isinstance(value, Mapping):

@@ -91,9 +91,9 @@ def close(left: Any, right: Any, tolerance: float = TOLERANCE) -> bool:
 
 def flat(value: Any) -> Iterator[float]:
     """The numbers in nested lists or arrays, in order."""
-    if hasattr(value, "tolist"):
-        value = value.tolist()
-    if isinstance(value, list | tuple):
+    if hasattr(value, "ravel"):
+        yield from map(float, value.ravel().tolist())
+    elif isinstance(value, list | tuple):
         for part in value:
             yield from flat(part)
     else:

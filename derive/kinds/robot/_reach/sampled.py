@@ -23,6 +23,7 @@ from derive.kinds.robot._reach.inside import Inside
 from derive.kinds.robot._reach.ranged import R_MAX, R_MIN
 from derive.kinds.robot._reach.shapes import Shape
 from derive.mechanics.chain import Chain
+from derive.mechanics.oracle.poses import crossing
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 TRIES, POINTS, RADII = 200, 2, 60
 CELLS = {1: 40, 2: 24, 3: 9}  # of the bounding box in each direction, by its dimensions
 FINE = {1: 10_000, 2: 400, 3: 50}  # the same, for its size
+SPARSE = 13  # of so many places one, where directions are counted
 NEAR = 4.0  # up to where an endless workspace is looked at
 APART = 0.25  # the ends of a range that is drawn; typed ones are taken as they are
 CLOSE = {1: 1e-3, 2: 4e-3, 3: 4e-3}  # relative: of a size by that
@@ -94,7 +96,8 @@ class Sampled(Inside):
         key = base.key if isinstance(base, Phrase) else description.key
         parts = [each for each in description.about.values() if isinstance(each, Phrase)]
         yield self._is_endless == any(each.key.startswith(ENDLESS) for each in (description, *parts))
-        spread = int(np.linalg.matrix_rank(self.places - self.places.mean(axis=0), SMALL * FAR))
+        some = self.places[::SPARSE]
+        spread = int(np.linalg.matrix_rank(some - some.mean(axis=0), SMALL * FAR))
         yield spread == DIRECTIONS.get(key, 3 if self.shape.kind == "ball" else 2) + isinstance(base, Phrase)
         yield not self.shape.measure or MEASURES[self.shape.measure] == spread
         if self.shape.kind == "ball" and self.shape.called != "shell-part":
@@ -119,7 +122,7 @@ class Sampled(Inside):
         import numpy as np
 
         z, o = self.lines[self.first]
-        least = float(np.linalg.norm(np.cross(self.places - o, z), axis=1).min())
+        least = float(np.linalg.norm((self.places - o) @ crossing(z), axis=1).min())
         size = float(np.abs(self.places - self.center).max())
         side = numeric.number(self.shape.side, self.at)
         yield abs(least - side) <= TOUCHING * size
