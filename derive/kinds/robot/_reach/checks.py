@@ -37,7 +37,7 @@ CALLED = {  # what lies between the distances, whether axes are parallel, whethe
     "swung-annulus": ("", False, False),
 }  # fmt: skip
 SWEEPS = 100  # of a search joint by joint
-POINTS, STARTS = 4, 3
+POINTS, STARTS = 3, 3
 FEW = 3  # joints of which many values are tried at once
 Values = dict[str, float]
 
