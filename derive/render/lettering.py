@@ -4,12 +4,14 @@ The names of a sheet stay as its author typed them."""
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from types import MappingProxyType
 from typing import Literal, TypeAlias
 
+from derive.errors import NotAsWritten
 from derive.expression import Call, Expr, Indexed, Symbol, replace, walk
 from derive.render.names import Name, name_latex, name_parts, stem_of
 
@@ -112,6 +114,14 @@ def _is_framed(parts: Name) -> bool:
 
 @lru_cache(10_000)
 def _called(lettering: Lettering, name: str) -> str:
+    """Raises NotAsWritten where an index would be lost."""
+    called = _renamed(lettering, name)
+    if Counter(filter(str.isdigit, name)) - Counter(called):
+        raise NotAsWritten(f"{called} stands for {name} and has not its indices")
+    return called
+
+
+def _renamed(lettering: Lettering, name: str) -> str:
     stem = stem_of(name)
     rest = name[len(stem) :]
     for ours, theirs in lettering.stems:
