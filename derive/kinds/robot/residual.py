@@ -69,6 +69,8 @@ class Facts(PageFacts):
     geared: bool  # a motor turns faster than its joint
     slowest: tuple[Expr, ...]  # time constants
     rubbing: bool
+    drive: Symbol  # what joint 1 gets, as the next
+    contact: Symbol
     effort: Phrase  # of a joint
     felt: Phrase | None  # by which joints; None where there is one
 
@@ -114,6 +116,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         geared=any(link.motor is not None and link.motor.ratio != ONE for link in robot.links),
         slowest=tuple(dict.fromkeys(ONE / each.k for each in names)),
         rubbing=any(rubbing),
+        drive=names[0].tau,
+        contact=names[0].ext,
         effort=effort(robot),
         felt=None if len(names) == 1 else Phrase("felt-by-coupled" if robot.coupled else "felt-by-chain"),
     )
