@@ -12,18 +12,7 @@ from typing import Any, TypeAlias, get_args
 from derive.algebra.fingerprint import fingerprint
 from derive.derivation import Branch, Derivation, LinearSystem
 from derive.errors import FormulaError, SheetError, SheetErrors
-from derive.expression import (
-    ZERO,
-    Approximate,
-    Call,
-    Derivative,
-    Expr,
-    Indexed,
-    Matrix,
-    Number,
-    rebuild,
-    walk,
-)
+from derive.expression import ZERO, Approximate, Call, Expr, Matrix, Number, rebuild, walk
 from derive.kinds.linear_systems import unknowns_of
 from derive.kinds.sure import read
 from derive.render.document import Document
@@ -96,11 +85,11 @@ def _verdicts(value: Any, written: Any, rows: bool = False) -> Iterator[Verdict]
 
 @lru_cache(REMEMBERED)
 def _same(tree: Expr, written: str) -> Verdict:
-    """Whether a text says what the tree does; None of one that sheets cannot hold, as a name with indices."""
+    """Whether a text says what the tree does; None where it cannot be read, as a name with indices."""
     try:
         found = read(written)
     except FormulaError:
-        return None if any(isinstance(node, Indexed | Derivative) for node in walk(tree)) else False
+        return None
     return fingerprint(_as_digits(tree), DIGITS) == fingerprint(found, DIGITS)
 
 
