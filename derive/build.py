@@ -11,10 +11,7 @@ from typing import Any
 from derive.derivation import Claim, Derivation, Drawing
 from derive.errors import NotDerivable, SheetError, SheetErrors, met_at
 from derive.evaluate import strange_names, with_numbers
-from derive.expression import (
-    ZERO,
-    every,
-)
+from derive.expression import ZERO, every
 from derive.figures.held import Misdrawn
 from derive.figures.wish import Wish
 from derive.giving import with_given

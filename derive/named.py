@@ -15,15 +15,7 @@ from typing import Any, get_args
 from pydantic import BaseModel
 
 from derive.derivation import Branch, Derivation, LinearSystem, Result
-from derive.expression import (
-    Expr,
-    Matrix,
-    Relation,
-    Symbol,
-    every,
-    free_symbols,
-    held,
-)
+from derive.expression import Expr, Matrix, Relation, Symbol, every, free_symbols, held
 from derive.kinds.problem import Problem, expressions
 from derive.kinds.registry import load
 

@@ -7,16 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, TypeAlias, get_args
 
 from derive.derivation import Cell
-from derive.expression import (
-    Degrees,
-    Expr,
-    Matrix,
-    Measured,
-    Number,
-    children,
-    every,
-    negate,
-)
+from derive.expression import Degrees, Expr, Matrix, Measured, Number, children, every, negate
 
 TREES = get_args(Expr)
 Entries: TypeAlias = tuple[Expr, ...]

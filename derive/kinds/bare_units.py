@@ -6,12 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, get_args
 
 from derive.derivation import Derivation
-from derive.expression import (
-    Expr,
-    Number,
-    every,
-    walk,
-)
+from derive.expression import Expr, Number, every, walk
 from derive.kinds.problem import Problem
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.mechanics.fitting import PointPairs

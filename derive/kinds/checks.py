@@ -100,7 +100,7 @@ def flat(value: Any) -> Iterator[float]:
         yield float(value)
 
 
-def numbers_rows(table: Table, rows: Iterable[Sequence[Cell]], first: int = 0) -> bool:
+def lists(table: Table, rows: Iterable[Sequence[Cell]], first: int = 0) -> bool:
     """Whether a table holds just these rows, with their numbers from the first one on before them."""
     return table.rows == tuple((number(k), *row) for k, row in enumerate(rows, first))
 

@@ -16,18 +16,7 @@ from derive.algebra.readable.form import readable, readable_matrix
 from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
-from derive.expression import (
-    PI,
-    Degrees,
-    Expr,
-    Indexed,
-    Matrix,
-    Number,
-    Symbol,
-    every,
-    free_symbols,
-    walk,
-)
+from derive.expression import PI, Degrees, Expr, Indexed, Matrix, Number, Symbol, every, free_symbols, walk
 from derive.kinds.declared import with_all_claims
 from derive.kinds.registry import load
 from derive.kinds.told import with_results_told

@@ -10,16 +10,7 @@ from derive.algebra.formulas.likely_mistakes import doubtful_angle
 from derive.algebra.formulas.tokens import tokens
 from derive.algebra.formulas.units import ANY
 from derive.errors import FormulaError, SheetError
-from derive.expression import (
-    Call,
-    Expr,
-    Number,
-    Product,
-    Symbol,
-    every,
-    terms_of,
-    walk,
-)
+from derive.expression import Call, Expr, Number, Product, Symbol, every, terms_of, walk
 from derive.kinds.problem import expressions
 from derive.mechanics.lagrangian import MovingBody
 from derive.mechanics.motion import Move

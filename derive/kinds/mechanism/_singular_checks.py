@@ -7,7 +7,7 @@ from math import tau
 
 from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Branch, Phrase
+from derive.derivation import Branch, Phrase, Step
 from derive.errors import NotReal
 from derive.expression import Expr, Symbol, free_symbols, replace
 from derive.kinds.checks import close, random_points
@@ -18,10 +18,6 @@ from derive.kinds.work import Work
 from derive.mechanics.linkages import FourBar, SliderCrank
 
 POINTS, NEAR, TURN = 4, 1e-6, 0.7
-LINES = (
-    *("toggle-stretched", "toggle-folded", "limit-stretched", "limit-folded"),
-    *("upright-above", "upright-below", "rod-stretched", "rod-folded"),
-)
 TOUCHING = 1e-3  # of a cosine: where it is this near to one, two places meet and no sign changes
 
 
@@ -77,7 +73,7 @@ def all_found(
                 yield len(there) == len(angles)
                 yield all(min(abs(tip(1, a) - tip(1, b)) for b in there) < NEAR for a in angles)
         yield from _lines(work, found, point)
-        yield from _triangles(work, linkage, sizes, point)
+        yield from _triangles([step for step in work.steps if step.name in seen], work, linkage, sizes, point)
 
 
 def vanish_in_line(
@@ -156,13 +152,13 @@ def _lines(work: Work, found: Mapping[str, list[float]], point: Point) -> Iterat
 
 
 def _triangles(
-    work: Work, linkage: FourBar | SliderCrank, sizes: Sequence[float], point: Point
+    steps: Sequence[Step], work: Work, linkage: FourBar | SliderCrank, sizes: Sequence[float], point: Point
 ) -> Iterator[bool]:
     """Every cosine by the triangle of the bars in line, every sine by the heights, where none is an angle
     too."""
     crank, coupler, last = sizes[:3]
-    for step in work.steps:
-        for each in step.chain[1:] if step.name in LINES else ():
+    for step in steps:
+        for each in step.chain[1:]:
             value = at(work.problem.final(replace(each, work.definitions)), point)
             reach = {"stretched": 1, "folded": -1}.get(step.name.rpartition("-")[2], 0)
             if isinstance(linkage, FourBar):

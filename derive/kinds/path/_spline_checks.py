@@ -13,7 +13,7 @@ from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
 from derive.derivation import Phrase, Result, Table
 from derive.expression import Expr, Symbol
-from derive.kinds.checks import close, numbers_rows, random_points, route
+from derive.kinds.checks import close, lists, random_points, route
 from derive.kinds.fields import TREES
 from derive.kinds.path._splines import Solved
 from derive.kinds.path._timing import T
@@ -50,7 +50,7 @@ def held(work: Work, shape: Via, told: Told) -> Work:
     known = (completed(at, work.problem.where) for at in drawn)
     written = (ok for at in known for ok in _as_written(work, shape, told, at))
     typed = ((time, *place) for time, place in zip(shape.times, shape.places, strict=True))
-    work = work.law("all-conditions", numbers_rows(told.points, typed))
+    work = work.law("all-conditions", lists(told.points, typed))
     return work.claim(route("all-conditions", written))
 
 

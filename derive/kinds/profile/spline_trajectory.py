@@ -19,7 +19,7 @@ from derive.expression import (
     number,
     symbols,
 )
-from derive.kinds.checks import law, numbers_rows
+from derive.kinds.checks import law, lists
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._drawn import Drawn, LimitTold
@@ -95,7 +95,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     chains += [(Symbol(name), tree) for name, tree in results.items()]
     given = asked(journey, profile.time, options.ends == "natural")
     work = work.claim(*claims(given, chains, pieces, facts.pieces, problem))
-    work = work.law("all-conditions", numbers_rows(facts.points, zip(*given[:2], strict=True)))
+    work = work.law("all-conditions", lists(facts.points, zip(*given[:2], strict=True)))
     timed = [(piece.values["q"], times_of(piece)) for piece in pieces]
     moments: dict[Expr, Expr] = {Symbol(f"t_{k}"): t for k, t in enumerate(knots.times) if k}
     work = work.claim(*drawn.claims(timed, facts.limits, facts.drawn, moments=moments))

@@ -5,10 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, TypeAlias, get_args
 
-from derive.expression import (
-    Expr,
-    every,
-)
+from derive.expression import Expr, every
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -49,13 +49,17 @@ def meeting_told(said: Phrase, worked: Worked, tried: Tried) -> Claim:
 
 
 def _meet_at_end(worked: Worked, target: Target, known: Values) -> bool:
+    end = 0.0 if worked.shoulder else target.oracle.tool(known)[:3, 3]
+    return bool(abs(_centre(worked, target, known) - end).max() < NEAR)
+
+
+def _centre(worked: Worked, target: Target, known: Values) -> Array:
+    """Where the axes of a wrist or a shoulder meet (3): what its joints leave where it is."""
     import numpy as np
 
-    oracle = target.oracle
-    back = np.linalg.inv(oracle.tool(known))
-    turned = [oracle.tool({**known, name: known[name] + TURN}) @ back for name in worked.spherical]
-    end = 0.0 if worked.shoulder else oracle.tool(known)[:3, 3]
-    return bool(np.abs(meeting(turned) - end).max() < NEAR)
+    tool = target.oracle.tool
+    back = np.linalg.inv(tool(known))
+    return meeting([tool({**known, name: known[name] + TURN}) @ back for name in worked.spherical])
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,9 +166,7 @@ class Seen:
         if end.axis is not None:
             return self._axis(end.axis, known)[1]
         if end.wrist:
-            back = np.linalg.inv(oracle.tool(known))
-            names = self.worked.spherical
-            return meeting([oracle.tool({**known, name: known[name] + TURN}) @ back for name in names])
+            return _centre(self.worked, self.tried.target, known)
         T = oracle.tool(known) if end.last is None else oracle.poses(known)[end.last]
         return np.array(T[:3, 3])
 

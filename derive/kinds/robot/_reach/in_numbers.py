@@ -16,7 +16,7 @@ from derive.kinds.robot._point import Tracked
 from derive.kinds.robot._reach.shapes import Shape
 from derive.kinds.robot._seen import axis_seen, motion
 from derive.mechanics.chain import Chain
-from derive.mechanics.oracle.poses import crossing
+from derive.mechanics.oracle.poses import crossing, turn
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 Values = dict[str, float]
 Limits = tuple[float, float]
 EACH = {1: 2001, 2: 201, 3: 41, 4: 17, 5: 11, 6: 7, 7: 5}  # values of a joint, by their number
-DRAWN = 60_000
+DRAWN = 60_000  # places at random
 FAR = 12.0  # where a slide has no end
 SMALL = 1e-6
 
@@ -101,18 +101,20 @@ class InNumbers:
             if through is None:
                 spread = moved[:, None, None] * direction + places
             else:
-                spread = through + (places - through) @ _rotations(direction, moved).transpose(0, 2, 1)
+                spread = through + (places - through) @ turn(direction, moved[:, None, None]).transpose(
+                    0, 2, 1
+                )
             places = spread.reshape(-1, 3)
         return places
 
     @cached_property
-    def anywhere(self) -> Array:
-        """Where the point is (N by 3) at values of the joints drawn at random, which leave fewer gaps than a
-        grid of as many where joints are several."""
+    def scattered(self) -> Array:
+        """The same places and others at random, which leave fewer gaps where joints are several."""
         import numpy as np
 
         draw = np.random.default_rng(0)
-        return self.moved({row: draw.uniform(*self.limits[row], DRAWN) for row in self.shape.rows})
+        others = self.moved({row: draw.uniform(*self.limits[row], DRAWN) for row in self.shape.rows})
+        return np.concatenate([self.places, others])
 
     def moved(self, values: Mapping[int, Array]) -> Array:
         """Where the point is (N by 3) with the joints of these rows at N values each, the others as they
@@ -141,14 +143,6 @@ class InNumbers:
 
         along = np.cross(self.lines[row][0], self.lines[self.first][0])
         return self.lines[row][1] is None and float(np.linalg.norm(along)) < SMALL
-
-
-def _rotations(z: Array, by: Array) -> Array:
-    """About z (k by 3 by 3, Rodrigues)."""
-    import numpy as np
-
-    S = crossing(z)
-    return np.array(np.eye(3) + np.sin(by)[:, None, None] * S + (1 - np.cos(by))[:, None, None] * (S @ S))
 
 
 def _turned(away: Array, z: Array, by: Array) -> Array:

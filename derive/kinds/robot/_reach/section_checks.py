@@ -7,11 +7,10 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import Point, number
-from derive.derivation import Curve, Phrase, Plot, Said, Table
+from derive.derivation import Said, Table
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import close, random_points
 from derive.kinds.fields import TREES
@@ -33,7 +32,6 @@ GRID, FEWER = 241, 61  # values of each of two joints, and of each of more
 BEYOND, NEAR, TO_AXIS = 1e-7, 1e-3, 1e-2  # of the size: how far a grid may pass an extreme, or miss it
 TOLERANCE, APART, STEPS = 1e-8, 1e-4, 30
 COARSE = 48
-SQUARES, THROWN, MOSTLY = 60, 200, 0.9
 COARSER = 5  # of grids with fewer values
 PLACES = 3  # of which two have one number, where there are two
 POINTS, TURN, SMALL = 2, 0.7, 1e-6
@@ -281,40 +279,3 @@ def called_so(facts: Facts, told: Mapping[str, float], void: bool) -> Iterator[b
     key, counts = facts.description.key, facts.section.counts
     yield ("pierced" in key) == (told["r_min"] > 0)
     yield ("hollow" in key) == (counts is not None and "void" in counts.key) == void
-
-
-def in_its_part(plot: Plot, sample: Sample) -> bool:
-    """Whether a place lies in the part of a figure that is drawn for its number, and in no other."""
-    drawn = {
-        label.about["count"]: _is_within(curve, sample)
-        for label, curve in plot.regions.items()
-        if isinstance(label, Phrase)
-    }
-    wanted = drawn.pop(sample.count, sample.count == 0)
-    return wanted and not any(drawn.values())
-
-
-def _is_within(curve: Curve, sample: Sample) -> bool:
-    """Whether a way from it to the right crosses the outline an odd number of times."""
-    inside = False
-    for (x, y), (u, v) in pairwise(zip(*curve, strict=True)):
-        if (y > sample.z) != (v > sample.z) and sample.rho < x + (sample.z - y) * (u - x) / (v - y):
-            inside = not inside
-    return inside
-
-
-def fills(curve: Curve, x: Array, y: Array) -> Iterator[bool]:
-    """Whether an outline encloses what places cover, up to cells at its border that have none: as much, and
-    nearly all of them."""
-    import numpy as np
-
-    u, v = (np.array(each) for each in curve)
-    area = abs(float(u[:-1] @ v[1:] - u[1:] @ v[:-1]) / 2)
-    size = max(float(np.ptp(x)), float(np.ptp(y))) / SQUARES
-    cells = np.zeros((SQUARES + 1, SQUARES + 1), dtype=bool)
-    cells[((x - x.min()) / size).astype(int), ((y - y.min()) / size).astype(int)] = True
-    edges = sum(int((a != b).sum()) for a, b in ((cells[1:], cells[:-1]), (cells[:, 1:], cells[:, :-1])))
-    yield float(cells.sum()) - edges <= area / size**2 <= float(cells.sum()) + edges / 2
-    some = np.random.default_rng(0).integers(0, x.size, THROWN)
-    inside = [_is_within(curve, Sample(float(x[k]), float(y[k]), 1)) for k in some]
-    yield float(np.mean(inside)) > MOSTLY

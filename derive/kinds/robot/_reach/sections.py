@@ -25,12 +25,12 @@ from derive.kinds.robot._reach.section_checks import (
     SectionSeen,
     called_so,
     determinant_at,
-    in_its_part,
     listed,
     moved_by,
     section_at,
     square_told,
 )
+from derive.kinds.robot._reach.section_drawn import in_its_part
 from derive.kinds.robot._reach.shapes import Shape
 from derive.kinds.robot._reach.spans import Span
 from derive.kinds.robot._reach.swept import Sample, Swept

@@ -26,7 +26,8 @@ from derive.kinds.robot._reach.facts import Facts, InPlane
 from derive.kinds.robot._reach.in_numbers import Limits
 from derive.kinds.robot._reach.ranged import ranges_of
 from derive.kinds.robot._reach.regions import refuse_repeated
-from derive.kinds.robot._reach.section_checks import SectionSeen, fills, moved_by, square_told
+from derive.kinds.robot._reach.section_checks import SectionSeen, moved_by, square_told
+from derive.kinds.robot._reach.section_drawn import fills
 from derive.kinds.robot._reach.sections import in_floats, seen_in_numbers
 from derive.kinds.robot._reach.swept import Swept
 from derive.kinds.values_at import point_of
@@ -87,8 +88,6 @@ class WithinRanges:
     turn: Limits | None
 
     def derivation(self) -> Derivation:
-        import numpy as np
-
         told = {"r_max": self.arm.extreme(0, 1), "r_min": self.arm.extreme(0, -1)}
         square = self.problem.readable(self.section.square)
         line = (R ** number_tree(2), square)
@@ -114,7 +113,7 @@ class WithinRanges:
         )
         work = work.claim(*self._claims(facts, told))
         for plot in plots:
-            places = np.concatenate([self._seen.arm.places, self._seen.arm.anywhere])
+            places = self._seen.arm.scattered
             (curve,) = plot.regions.values()
             work = work.claim(route("section-drawn", fills(curve, places[:, 0], places[:, 1])))
         units = dict.fromkeys((R, R_MAX, R_MIN), unit) if unit else {}
