@@ -21,10 +21,10 @@ Place = tuple[float, float]
 
 def covered(covering: Covering, told: Mapping[str, float], unit: str) -> Plot:
     """The section with the number of configurations that reach each part."""
-    regions: dict[Label, Curve] = {
-        Phrase("so-many", {"count": count}): _filled(covering, covering.counts == count)
-        for count in sorted({count for count, _ in covering.regions if count > 0})
-    }
+    counts = sorted({count for count, _ in covering.regions if count > 0})
+    called = (Phrase("just-one" if count == 1 else "so-many", {"count": count}) for count in counts)
+    drawn = (_filled(covering, covering.counts == count) for count in counts)
+    regions: dict[Label, Curve] = dict(zip(called, drawn, strict=True))
     return _in_section({}, regions, told, unit)
 
 

@@ -122,8 +122,7 @@ def size(square: Scalar) -> Scalar:
     if square.constant is not None or square.denominator is not None or not square:
         return root(square)
     content, factors = square_free(square.numerator)
-    if any(power % 2 for _, power in factors):
-        return root(square)
-    front = root(Scalar.of(as_fraction(content)))
-    parts = ((Scalar(square.ring, part), power // 2) for part, power in factors)
-    return reduce(mul, ((each if each.letters() else absolute(each)) ** n for each, n in parts), front)
+    parts = [(Scalar(square.ring, part), power) for part, power in factors]
+    inside = reduce(mul, (each for each, n in parts if n % 2), Scalar.of(as_fraction(content)))
+    outside = ((each if each.letters() else absolute(each)) ** (n // 2) for each, n in parts)
+    return reduce(mul, outside, root(inside))
